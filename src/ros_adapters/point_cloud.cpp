@@ -5,6 +5,8 @@
 #include <sensor_msgs/image_encodings.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <initializer_list>
 #include <string>
@@ -17,22 +19,26 @@ namespace {
 
 using sensor_msgs::PointField;
 
-std::size_t offsetOf(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
+std::size_t sizeOf(const PointField& field) {
+  return field.datatype == PointField::FLOAT64 ? sizeof(double) : sizeof(float);
+}
+
+/// A field of that name that points have.
+const PointField& coordinateOf(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
   const auto field = std::find_if(cloud.fields.begin(), cloud.fields.end(),
                                   [&name](const PointField& each) { return each.name == name; });
   if (field == cloud.fields.end())
     throw InvalidInput("point cloud has no field '" + name + "'; needs x, y and z");
-  if (field->datatype != PointField::FLOAT32)
+  if (field->datatype != PointField::FLOAT32 && field->datatype != PointField::FLOAT64)
     throw InvalidInput("field '" + name + "' of the point cloud is of type " +
-                       std::to_string(field->datatype) + "; must be FLOAT32 (7)");
-  if (std::size_t(field->offset) + sizeof(float) > cloud.point_step)
+                       std::to_string(field->datatype) + "; must be FLOAT32 (7) or FLOAT64 (8)");
+  if (std::size_t(field->offset) + sizeOf(*field) > cloud.point_step)
     throw InvalidInput("field '" + name + "' of the point cloud lies beyond its point_step of " +
                        std::to_string(cloud.point_step) + " bytes");
-  return field->offset;
+  return *field;
 }
 
 void checkLayout(const sensor_msgs::PointCloud2& cloud) {
-  if (cloud.is_bigendian) throw InvalidInput("point cloud is big-endian; little-endian is understood");
   const std::size_t row = std::size_t(cloud.width) * cloud.point_step;
   const std::size_t needed = cloud.height == 0 ? 0 : std::size_t(cloud.height - 1) * cloud.row_step + row;
   if ((cloud.height > 1 && cloud.row_step < row) || cloud.data.size() < needed)
@@ -41,11 +47,42 @@ void checkLayout(const sensor_msgs::PointCloud2& cloud) {
                        " bytes; needs " + std::to_string(needed));
 }
 
-float floatAt(const std::uint8_t* bytes) {
-  float value;
+template <class Number>
+double numberAt(const std::uint8_t* bytes) {
+  Number value;
   std::memcpy(&value, bytes, sizeof value);
   return value;
 }
+
+/// Reads the coordinates of a point, whatever their type and the order of their bytes.
+class PointReader {
+ public:
+  /// @throws InvalidInput as `fromMessage`
+  explicit PointReader(const sensor_msgs::PointCloud2& cloud)
+      : fields_{coordinateOf(cloud, "x"), coordinateOf(cloud, "y"), coordinateOf(cloud, "z")},
+        is_swapped_(cloud.is_bigendian != 0) {
+    checkLayout(cloud);
+  }
+
+  /// @param point  its first byte
+  /// @return [m]
+  Point3 at(const std::uint8_t* point) const { return {read(point, 0), read(point, 1), read(point, 2)}; }
+
+ private:
+  double read(const std::uint8_t* point, std::size_t axis) const {
+    const PointField& field = fields_[axis];
+    const std::uint8_t* bytes = point + field.offset;
+    std::array<std::uint8_t, sizeof(double)> swapped{};
+    if (is_swapped_) {
+      std::reverse_copy(bytes, bytes + sizeOf(field), swapped.begin());
+      bytes = swapped.data();
+    }
+    return field.datatype == PointField::FLOAT64 ? numberAt<double>(bytes) : numberAt<float>(bytes);
+  }
+
+  std::array<PointField, 3> fields_;
+  bool is_swapped_;  ///< whether the first byte of a number is its highest
+};
 
 sensor_msgs::PointCloud2 emptyCloud(const std::vector<std::string>& fields) {
   sensor_msgs::PointCloud2 cloud;
@@ -81,35 +118,29 @@ void append(sensor_msgs::PointCloud2& cloud, std::initializer_list<double> milli
 }  // namespace
 
 std::vector<std::vector<Point3>> profilesFromMessage(const sensor_msgs::PointCloud2& cloud) {
-  const std::size_t x = offsetOf(cloud, "x");
-  const std::size_t y = offsetOf(cloud, "y");
-  const std::size_t z = offsetOf(cloud, "z");
-  checkLayout(cloud);
+  const PointReader reader(cloud);
   if (cloud.width == 0) return {};  // whatever height it states
   std::vector<std::vector<Point3>> rows(cloud.height);
   for (std::uint32_t row = 0; row < cloud.height; ++row) {
     const std::uint8_t* at = cloud.data.data() + std::size_t(row) * cloud.row_step;
     rows[row].reserve(cloud.width);
     for (std::uint32_t i = 0; i < cloud.width; ++i, at += cloud.point_step)
-      rows[row].push_back(Point3(floatAt(at + x), floatAt(at + y), floatAt(at + z)) * kMillimetresPerMetre);
+      rows[row].push_back(reader.at(at) * kMillimetresPerMetre);
   }
   return rows;
 }
 
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud) {
-  const std::size_t x = offsetOf(cloud, "x");
-  const std::size_t y = offsetOf(cloud, "y");
-  const std::size_t z = offsetOf(cloud, "z");
-  checkLayout(cloud);
+  const PointReader reader(cloud);
   CloudPoints result;
   result.points.reserve(std::size_t(cloud.width) * cloud.height);
   for (std::uint32_t row = 0; row < cloud.height; ++row) {
     const std::uint8_t* at = cloud.data.data() + std::size_t(row) * cloud.row_step;
     for (std::uint32_t i = 0; i < cloud.width; ++i, at += cloud.point_step) {
-      const Point3 metres(floatAt(at + x), floatAt(at + y), floatAt(at + z));
+      const Point3 point = reader.at(at) * kMillimetresPerMetre;
       // Drivers send zeros in place of points that they miss: at the origin a sensor sees nothing but itself.
-      if (metres.allFinite() && !metres.isZero(0.0))
-        result.points.push_back(target_from_cloud * Point3(metres * kMillimetresPerMetre));
+      if (point.allFinite() && !point.isZero(0.0))
+        result.points.push_back(target_from_cloud * point);
       else
         ++result.not_finite;
     }

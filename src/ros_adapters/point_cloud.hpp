@@ -19,10 +19,11 @@ struct CloudPoints {
   std::size_t not_finite = 0;  ///< points with a NaN or infinite coordinate, or exactly zero, left out
 };
 
-/// Reads the fields x, y and z (float32), whatever other fields there are.
+/// Reads the fields x, y and z (float32 or float64, in either order of bytes), whatever other fields there
+/// are.
 /// @param target_from_cloud  applied to each point; translation [mm]
-/// @throws InvalidInput if a field is missing or of another type, the bytes are swapped, or there are fewer
-///   bytes than the layout asks for
+/// @throws InvalidInput if a field is missing or of another type, or there are fewer bytes than the layout
+///   asks for
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud);
 
 /// The rows of a cloud in its own frame [mm], each with all of its points, also those that are not finite,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -81,6 +82,34 @@ TEST(TimeOffset, ByBobbingIsFoundWithoutThePointsThatTheSensorMissed) {
       if (++every_ninth % 9 == 0 && every_ninth % 4000 < 2000) point.setZero();
   recording.profiles = profilesFromCsv(toCsv(recording.profiles), "profiles.csv");
   EXPECT_NEAR(offsetByBobbing(recording, 0.6).offset_s, 0.1, 0.001);
+}
+
+/// Nothing is taken to lie straight over what is missing.
+TEST(TimeOffset, ByBobbingIsFoundBesideGaps) {
+  const SensorRecording whole = test::record(spoilt(0.1, 3), bobbing({}));
+  const double begin_s = whole.profiles.front().time_s;
+  const auto without = [&](double from_s, double to_s) {
+    SensorRecording recording = whole;
+    auto& profiles = recording.profiles;
+    profiles.erase(std::remove_if(profiles.begin(), profiles.end(),
+                                  [&](const RecordedProfile& profile) {
+                                    const double time_s = profile.time_s - begin_s;
+                                    return time_s > from_s && time_s < to_s;
+                                  }),
+                   profiles.end());
+    return recording;
+  };
+  for (const double length_s : {0.1, 0.3, 2.0}) {
+    const TimeOffset found = offsetByBobbing(without(5.0, 5.0 + length_s), 0.6);
+    EXPECT_NEAR(found.offset_s, 0.1, 0.0005) << length_s;
+    EXPECT_LT(found.spread_s, 0.0005) << length_s;
+  }
+  try {
+    offsetByBobbing(without(1.5, 8.5), 0.6);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("gaps"), std::string::npos) << error.what();
+  }
 }
 
 TEST(TimeOffset, ByBobbingIsFoundBesideProfilesOfOtherTimes) {

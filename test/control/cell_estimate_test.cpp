@@ -111,6 +111,18 @@ TEST(CellEstimate, MeasuresGrowthOverWhatWasCommanded) {
   EXPECT_FALSE(cell.takeMeasuredGain()) << "nothing was deposited since";
 }
 
+/// A bead that is laid over air sags by what it lies on: how much of that is growth nobody can tell.
+TEST(CellEstimate, MeasuresNoGrowthOverGroundThatIsNotKnown) {
+  CellEstimate cell;
+  cell.lay({1.5, 0.0, 0.0}, 0.1);
+  EXPECT_EQ(cell.see({0.6, 6, kSigma}, 0.2).use, ReadingUse::Used);
+  EXPECT_NEAR(cell.error(), 0.6, 1e-3);
+  EXPECT_FALSE(cell.takeMeasuredGain());
+  cell.lay({1.5, 0.0, 0.0}, 0.1);
+  cell.see({0.75, 1000, 1e-4}, 0.0);
+  EXPECT_NEAR(cell.takeMeasuredGain().value().gain, 0.9, 1e-3) << "from there on";
+}
+
 TEST(CellEstimate, LearnsNothingFromWhatBrokeOff) {
   CellEstimate cell(0.0, 0.05, 1.0);
   cell.lay({1.5, 0.0, 0.0}, 0.1);

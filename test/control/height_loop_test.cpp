@@ -99,6 +99,20 @@ TEST(HeightLoop, TakesTheGainOfItsRegionWhereNothingIsBelow) {
   EXPECT_NEAR(known.error_mm[beside], known.error_mm[30], 0.02) << "the mean of the layer below";
 }
 
+/// A bead beside the wall, over air, sags by 0.6 mm: it was fed as the wall was.
+TEST(HeightLoop, LearnsNoGainFromASagOverNothing) {
+  HeightLoop loop = loopAfter({}, 30, 1.0);
+  loop.beginLayer(layerOf(30, {0.0, 50.0}));
+  loop.lay(loop.correction(LoopState::Identifying));
+  const CellRun run = loop.cells().runs[1];
+  for (std::size_t i = 0; i < loop.cells().size(); ++i) loop.see(i, {i < run.first ? 0.0 : 0.6, 6, 0.02});
+  loop.endCloud();
+  const LayerFigures figures = loop.endLayer();
+  EXPECT_NEAR(loop.estimates()[run.first + 30].error(), 0.6, 0.01);
+  EXPECT_NEAR(figures.gain_least, 1.0, 5e-3);
+  EXPECT_LT(figures.consistency, 0.1) << "a sag is no surprise of growth";
+}
+
 TEST(HeightLoop, RefusesReadingsOfNoCell) {
   HeightLoop loop((LoopSettings()));
   loop.beginLayer(layerOf(0));

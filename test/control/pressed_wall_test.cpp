@@ -92,5 +92,31 @@ TEST(PressedWall, IsHigherAndCloser) {
   EXPECT_LT(closed.open_share, 0.4 * open.open_share);
 }
 
+/// Measured every fourth layer: those between keep the height that the last one showed to be right.
+TEST(PressedWall, KeepsTheHeightOfItsNozzleWhereItIsNotMeasured) {
+  LoopSettings settings;
+  settings.process = LoopProcess::Pressed;
+  settings.z = NozzleHeight::Layer;
+  HeightLoop loop(settings);
+  double shift_mm = 0.0;
+  for (std::size_t k = 0; k < 120; ++k) {
+    loop.beginLayer(pressedCells(k));
+    const LayerCells& cells = loop.cells();
+    EXPECT_EQ(loop.seenError().has_value(), k > 0 && k % 4 == 0) << k;
+    const LayerKnowledge seen{std::vector<double>(cells.size(), loop.seenError().value_or(0.0)), {}};
+    const double before_mm = shift_mm;
+    shift_mm = meanOverCells(cells, nozzleShift(cells, seen, shift_mm, {kLayer, kNowhere, 0.0}, settings));
+    const double most_mm = k % 4 == 0 ? kLayer : 1e-12;
+    EXPECT_NEAR(shift_mm, before_mm, most_mm) << k;
+    loop.lay(loop.correction(LoopState::Active), std::vector<double>(cells.size(), -shift_mm));
+    if (k % 4 == 3) {
+      for (std::size_t i = 0; i < cells.size(); ++i) loop.see(i, {settling(k) - shift_mm, 6, 0.005});
+      loop.endCloud();
+    }
+    loop.endLayer();
+  }
+  EXPECT_NEAR(shift_mm, settling(0), 0.1 * settling(0));
+}
+
 }  // namespace
 }  // namespace lamina

@@ -198,6 +198,19 @@ TEST(Stability, RefusesWhatIsNotCalibrated) {
   EXPECT_FALSE(checkStability(LoopSettings(), calibration).may_start);
 }
 
+/// The sections of beads, which amounts would follow from, are not measured.
+TEST(Stability, RefusesAPressedProcessOfWhichItCorrectsNothing) {
+  LoopSettings pressed;
+  pressed.process = LoopProcess::Pressed;
+  const StabilityReport refused = checkStability(pressed, calibrated());
+  EXPECT_FALSE(refused.may_start);
+  EXPECT_NE(refused.reason.find("loop.z is plan"), std::string::npos) << refused.reason;
+  pressed.z = NozzleHeight::Layer;
+  const StabilityReport started = checkStability(pressed, calibrated());
+  EXPECT_TRUE(started.may_start) << started.reason;
+  EXPECT_NE(started.reason.find("amounts stay as planned"), std::string::npos) << started.reason;
+}
+
 TEST(Stability, RefusesOrRaisesANarrowLowPass) {
   LoopCalibration calibration = calibrated();
   calibration.delay_uncertainty_s = 0.8;

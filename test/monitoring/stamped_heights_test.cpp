@@ -132,6 +132,19 @@ void expectOffset(const LayerHeightReport& report) {
   EXPECT_NEAR(report.statistics.worst_mm, offsetOf(report.layer), 1e-12) << "layer " << report.layer;
 }
 
+/// Of a machine without a sensor nothing is kept without end.
+TEST(StampedHeights, KeepTheLatestPosesThatNoProfileComesUpTo) {
+  StampedHeights heights = plates();
+  Feed feed(heights);
+  const auto poses = static_cast<std::int64_t>(StampedHeights::kMostPoses) + 1000;
+  for (std::int64_t i = 1; i <= poses; ++i) feed.pose({i * kStep, Point3(0.0, 0.0, 50.0)});
+  feed.profile({500 * kStep, {Point3(6.0, 6.0, 0.2)}});
+  EXPECT_EQ(heights.use().late.profiles, 1u) << "nobody knows any more where it was taken";
+  feed.profile({2000 * kStep, {Point3(6.0, 6.0, 0.2)}});
+  EXPECT_EQ(heights.use().of_no_layer.profiles, 1u);
+  expectAccounted(heights.use());
+}
+
 TEST(StampedHeights, EachLayerHasItsOwnHeightAndAllIsAccountedFor) {
   StampedHeights heights = plates();
   Feed feed(heights);

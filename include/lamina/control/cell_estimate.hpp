@@ -121,10 +121,12 @@ class CellEstimate {
 
   /// The gain since the last measurement of the gain, which may be several layers ago; the next measurement
   /// starts here. None if the cell was not seen since the last layer was deposited, if no growth was
-  /// commanded, or if a believed height would mean a gain out of range.
+  /// commanded since its height is known, or if a believed height would mean a gain out of range.
   std::optional<MeasuredGain> takeMeasuredGain();
 
  private:
+  void becomeKnown();
+
   static constexpr double kGainUnits = 16384.0;
   static constexpr std::uint8_t kSeen = 1;
   static constexpr std::uint8_t kBroken = 2;  ///< a reading was believed since the gain was measured

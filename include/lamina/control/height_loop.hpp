@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,6 +125,9 @@ class HeightLoop {
   /// The input of the law: error and gain of each cell. Unknown cells have those of the nearest known cell of
   /// their path within two standard deviations of the low-pass, or else the mean known error.
   LayerKnowledge knowledge() const;
+  /// Mean error of those cells that were seen since they were deposited, and before the layer is deposited of
+  /// those that it lies on; nothing if they are less than `min_coverage` of the length.
+  std::optional<double> seenError() const;
 
  private:
   void takeGainsOver(const std::vector<double>& learnt_below);

@@ -77,11 +77,15 @@ struct StabilityReport {
   bool may_start = false;
   double low_pass_mm = 0.0;            ///< that of the settings, or the one to which it was raised
   std::vector<StabilityBound> bounds;  ///< all that were checked
-  std::string reason;  ///< why it may not start, or why the low-pass was raised; empty otherwise
+  /// Why it may not start, or what an operator has to know of a loop that may: that the low-pass was raised,
+  /// that amounts stay as planned. Empty otherwise.
+  std::string reason;
 };
 
 /// Checks whether the loop may start. It may if
 /// - time offset and pose of the sensor are calibrated,
+/// - there is something to correct: of a pressed process, whose sections are not read from profiles, that is
+///   the height of the nozzle alone, so `loop.z` must not be plan,
 /// - gain times gain ratio is below the greatest stable gain without lag,
 /// - with a lag, gain times the error of the gain ratio (its distance from 1), which the prediction of the
 ///   layers under way gets wrong, is below the greatest stable gain with that lag,

@@ -96,6 +96,8 @@ class HeightMonitor {
   /// Number of cells seen in the scan under way; 0 if there is none. When this number no longer grows, the
   /// scan has ended.
   std::size_t cellsInScan() const { return cells_in_scan_; }
+  /// The layer that the nozzle was last seen to print; nothing before the first.
+  std::optional<std::size_t> printed() const { return clock_.printed(); }
   bool isScanning() const { return scanned_.has_value(); }
 
   /// Number of profiles that belong to the scan of a layer.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -46,8 +47,13 @@ struct ProfileUse {
 /// pose of the same or a later time stamp is known. A profile belongs to a layer if the nozzle moves level at
 /// the layer's scan height from the last pose before the profile to the next one. Therefore the same poses
 /// and profiles give the same reports, whatever their delays.
+///
+/// Of the poses that no profile has come up to, the latest `kMostPoses` are kept: without a sensor they come
+/// all the same. A profile that is older than those passed by is late.
 class StampedHeights {
  public:
+  static constexpr std::size_t kMostPoses = 500'000;
+
   /// Parameters and errors are those of `HeightMonitor`.
   StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
@@ -76,6 +82,7 @@ class StampedHeights {
  private:
   void workOff();
   void step();
+  void passBy();
   void place(const StampedProfile& profile);
   std::int64_t passedUntil(std::int64_t stamp_ns);
   void report(LayerHeightReports more);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "lag_search.hpp"
@@ -16,7 +17,11 @@ constexpr double kStepS = 0.001;
 constexpr long kHalfMeanSteps = 1000;  // of the mean that is taken away
 constexpr long kPieces = 10;
 constexpr long kPieceSearchSteps = 30;
-constexpr long kApartSteps = 50;  // a lag that far from the best one is another one
+constexpr long kApartSteps = 50;      // a lag that far from the best one is another one
+constexpr double kGapSpacings = 5.0;  // usual ones between values, beyond which some are missing
+constexpr double kLeastGapS = 0.02;
+constexpr long kLongGapSteps = 250;  // what lies straight over it would change the mean around
+constexpr double kLeastKnown = 0.3;  // of the steps
 constexpr double kShortestS = 4.0;
 constexpr double kLongestS = 600.0;
 constexpr double kLeastMotionMm = 0.05;
@@ -25,25 +30,48 @@ constexpr double kAsGood = 0.95;        // of the greatest correlation
 constexpr double kLeastRatio = 0.5;     // of depths to heights
 constexpr double kGreatestRatio = 2.5;  // a sensor that leans by 66 deg
 
-/// A quantity every `kStepS`; value i belongs to the time (first + i) steps.
-struct Steps {
-  long first = 0;
-  std::vector<double> values;
-
-  long end() const { return first + static_cast<long>(values.size()); }
-  double at(long step) const { return values[static_cast<std::size_t>(step - first)]; }
-};
-
 /// A range of steps.
 struct Span {
   long begin = 0;
   long end = 0;
 };
 
+/// A quantity every `kStepS`; value i belongs to the time (first + i) steps. Values that are left out are
+/// NaN.
+struct Steps {
+  long first = 0;
+  std::vector<double> values;
+  std::vector<Span> gaps = {};  ///< where nothing was recorded, and values are straight over it
+
+  long end() const { return first + static_cast<long>(values.size()); }
+  double at(long step) const { return values[static_cast<std::size_t>(step - first)]; }
+};
+
 std::string inSeconds(double seconds) { return numberText(seconds) + " s"; }
 
+/// Time between values beyond which some are missing between them.
+double longestSpacing(const std::vector<double>& time_s) {
+  std::vector<double> spacings;
+  spacings.reserve(time_s.size());
+  for (std::size_t i = 1; i < time_s.size(); ++i) spacings.push_back(time_s[i] - time_s[i - 1]);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return std::max(kLeastGapS, kGapSpacings * *middle);
+}
+
+std::vector<Span> gapsOf(const std::vector<double>& time_s) {
+  const double longest_s = longestSpacing(time_s);
+  std::vector<Span> gaps;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    if (time_s[i] - time_s[i - 1] <= longest_s) continue;
+    gaps.push_back({static_cast<long>(std::floor(time_s[i - 1] / kStepS)) + 1,
+                    static_cast<long>(std::ceil(time_s[i] / kStepS))});
+  }
+  return gaps;
+}
+
 /// Straight between values.
-/// @param time_s  ascending
+/// @param time_s  ascending; at least two
 Steps everyStep(const std::vector<double>& time_s, const std::vector<double>& values) {
   const double length_s = time_s.back() - time_s.front();
   if (!(length_s >= kShortestS && length_s <= kLongestS))
@@ -60,17 +88,40 @@ Steps everyStep(const std::vector<double>& time_s, const std::vector<double>& va
     const double part = span > 0.0 ? (time - time_s[next - 1]) / span : 1.0;
     steps.values.push_back(values[next - 1] + part * (values[next] - values[next - 1]));
   }
+  steps.gaps = gapsOf(time_s);
   return steps;
+}
+
+/// Leaves out what was not recorded, and what has no mean for that reason.
+void leaveOutGaps(Steps& high, const std::vector<Span>& gaps) {
+  for (const Span& gap : gaps) {
+    const long beside = gap.end - gap.begin > kLongGapSteps ? kHalfMeanSteps : 0;
+    const long end = std::min(high.end(), gap.end + beside);
+    for (long step = std::max(high.first, gap.begin - beside); step < end; ++step)
+      high.values[static_cast<std::size_t>(step - high.first)] = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// @param what  was recorded
+/// @throws InvalidInput if most of it was not
+void requireKnown(const Steps& steps, const std::string& what) {
+  const auto known = std::count_if(steps.values.begin(), steps.values.end(),
+                                   [](double value) { return std::isfinite(value); });
+  const double share = static_cast<double>(known) / static_cast<double>(steps.values.size());
+  if (share < kLeastKnown)
+    throw InvalidInput(what + " have gaps that leave " + numberText(100.0 * share) +
+                       " % of the recording; expected at least " + numberText(100.0 * kLeastKnown) + " %");
 }
 
 /// Without the mean of the two seconds around; what has no such mean is left out.
 Steps withoutMean(const Steps& steps) {
   std::vector<double> sums(1, 0.0);
   for (const double value : steps.values) sums.push_back(sums.back() + value);
-  Steps high{steps.first + kHalfMeanSteps, {}};
+  Steps high{steps.first + kHalfMeanSteps, {}, {}};
   const auto half = static_cast<std::size_t>(kHalfMeanSteps);
   for (std::size_t i = half; i + half < steps.values.size(); ++i)
     high.values.push_back(steps.values[i] - (sums[i + half + 1] - sums[i - half]) / (2.0 * half + 1.0));
+  leaveOutGaps(high, steps.gaps);
   return high;
 }
 
@@ -81,7 +132,9 @@ Steps heightsOf(const SensorRecording& recording, double zero_s) {
     times.push_back(pose.time_s - zero_s);
     heights.push_back(pose.bed_from_nozzle.translation().z());
   }
-  return withoutMean(everyStep(times, heights));
+  Steps steps = withoutMean(everyStep(times, heights));
+  requireKnown(steps, "poses of the nozzle");
+  return steps;
 }
 
 /// The profiles with points that any lag within the search leads to a pose.
@@ -110,7 +163,9 @@ Steps depthsOf(const std::vector<const RecordedProfile*>& profiles, double zero_
   }
   if (times.size() < 2)
     throw InvalidInput("there are " + std::to_string(times.size()) + " profiles; expected at least 2");
-  return withoutMean(everyStep(times, depths));
+  Steps steps = withoutMean(everyStep(times, depths));
+  requireKnown(steps, "profiles");
+  return steps;
 }
 
 /// The steps of the heights at which there are depths a lag later.
@@ -128,6 +183,7 @@ double correlationAt(const Steps& heights, const Steps& depths, long lag, Span w
   for (long step = span.begin; step < span.end; ++step) {
     const double height = heights.at(step);
     const double depth = depths.at(step + lag);
+    if (std::isnan(height * depth)) continue;
     both += height * depth;
     squared_height += height * height;
     squared_depth += depth * depth;
@@ -168,7 +224,9 @@ void requireUnit(const Steps& heights, const Steps& depths, long lag) {
   double both = 0.0;
   double squared_height = 0.0;
   for (long step = span.begin; step < span.end; ++step) {
-    both += heights.at(step) * depths.at(step + lag);
+    const double product = heights.at(step) * depths.at(step + lag);
+    if (std::isnan(product)) continue;
+    both += product;
     squared_height += heights.at(step) * heights.at(step);
   }
   const double ratio = both / squared_height;
@@ -187,12 +245,15 @@ struct Motion {
 
 Motion motionOf(const Steps& heights, Span span) {
   Motion motion;
+  double count = 0.0;
   for (long step = span.begin; step + 1 < span.end; ++step) {
     const double rate = (heights.at(step + 1) - heights.at(step)) / kStepS;
+    if (std::isnan(rate)) continue;
     motion.height_mm += heights.at(step) * heights.at(step);
     motion.rate_mm_s += rate * rate;
+    count += 1.0;
   }
-  const auto count = static_cast<double>(std::max(1L, span.end - span.begin - 1));
+  count = std::max(1.0, count);
   return {std::sqrt(motion.height_mm / count), std::sqrt(motion.rate_mm_s / count)};
 }
 
@@ -203,7 +264,15 @@ double refinedLag(const Steps& heights, const Steps& depths, long lag, Span with
                                                       correlationAt(heights, depths, lag + 1, within)));
 }
 
-/// The offset by each tenth in which the nozzle moves enough.
+/// Whether at least half of a span has heights, and depths a lag later.
+bool isMostlyKnown(const Steps& heights, const Steps& depths, long lag, Span span) {
+  long known = 0;
+  for (long step = span.begin; step < span.end; ++step)
+    known += std::isnan(heights.at(step) + depths.at(step + lag)) ? 0 : 1;
+  return 2 * known >= span.end - span.begin;
+}
+
+/// The offset by each tenth that was recorded and in which the nozzle moves enough.
 void addPieces(TimeOffset& offset, const Steps& heights, const Steps& depths, long best) {
   const Span whole = shared(heights, depths, best, {heights.first, heights.end()});
   const double usual_mm = motionOf(heights, whole).height_mm;
@@ -211,6 +280,7 @@ void addPieces(TimeOffset& offset, const Steps& heights, const Steps& depths, lo
   for (long piece = 0; piece < kPieces; ++piece) {
     const long length = whole.end - whole.begin;
     const Span span{whole.begin + piece * length / kPieces, whole.begin + (piece + 1) * length / kPieces};
+    if (!isMostlyKnown(heights, depths, best, span)) continue;
     if (motionOf(heights, span).height_mm < 0.3 * usual_mm) continue;
     long lag = best;
     double greatest = -1.0;

@@ -110,7 +110,8 @@ ReadingOutcome CellEstimate::see(const CellReading& reading, double correlation)
   error_mm_ = static_cast<float>(error() + share * innovation);
   variance_mm2_ = static_cast<float>((1.0 - share) * variance());
   contests_ = 0;
-  flags_ |= kSeen | kKnown;
+  becomeKnown();
+  flags_ |= kSeen;
   return {ReadingUse::Used, surprise};
 }
 
@@ -119,7 +120,16 @@ void CellEstimate::believe() {
   error_mm_ = contested_mm_;
   variance_mm2_ = static_cast<float>(kStartSigma * kStartSigma);
   contests_ = 0;
-  flags_ |= kSeen | kKnown | kBroken;
+  becomeKnown();
+  flags_ |= kSeen | kBroken;
+}
+
+/// From a ground that nobody knew no growth can be told: what is measured of it begins here.
+void CellEstimate::becomeKnown() {
+  if (isKnown()) return;
+  commanded_mm_ = 0.0F;
+  base_mm_ = error_mm_;
+  flags_ |= kKnown;
 }
 
 std::optional<double> CellEstimate::contested() const {

@@ -171,6 +171,20 @@ LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<doub
 
 LayerKnowledge HeightLoop::knowledge() const { return filled(errorsOf(estimates_), gainsOf(estimates_)); }
 
+std::optional<double> HeightLoop::seenError() const {
+  std::vector<double> seen;
+  std::vector<double> error;
+  seen.reserve(cells_.size());
+  error.reserve(cells_.size());
+  for (const CellEstimate& cell : estimates_) {
+    seen.push_back(cell.isSeen() ? 1.0 : 0.0);
+    error.push_back(cell.isSeen() ? cell.error() : 0.0);
+  }
+  const double coverage = meanOverCells(cells_, seen);
+  if (!(coverage > 0.0) || coverage < settings_.min_coverage) return std::nullopt;
+  return meanOverCells(cells_, error) / coverage;
+}
+
 LayerCorrection HeightLoop::asked(LoopState state, const LayerKnowledge& known,
                                   const std::vector<double>& deficit) const {
   if (settings_.process == LoopProcess::Pressed)
@@ -248,6 +262,7 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
   requireCell(cell);
   CellEstimate& estimate = estimates_[cell];
   const bool was_seen = estimate.isSeen();
+  const bool was_known = estimate.isKnown();
   const double prior = estimate.variance();
   const double expected = estimate.gain() * cells_.height_mm[cell];
   const ReadingOutcome outcome = estimate.see(reading, settings_.reading_correlation);
@@ -258,6 +273,7 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
     ++repeats_;
     return outcome;
   }
+  if (!was_known) return outcome;  // of a guess
   // The first reading of a cell shows its growth, those that follow show the sensor alone.
   const double noise = readingVariance(reading, settings_.reading_correlation);
   const double growth = spread_ * expected;

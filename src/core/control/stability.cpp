@@ -44,6 +44,19 @@ std::string missingCalibration(const LoopCalibration& calibration) {
   return {};
 }
 
+/// Sections are not read from profiles, so that of a pressed process the nozzle's height alone is corrected.
+std::string nothingToCorrect(const LoopSettings& settings) {
+  if (settings.process == LoopProcess::Free || settings.z != NozzleHeight::Plan) return {};
+  return "loop.process is pressed and loop.z is plan, by which nothing is corrected: the sections of beads "
+         "are not measured; expected loop.z layer, or loop.process free";
+}
+
+std::string noteOnAmounts(const LoopSettings& settings) {
+  if (settings.process == LoopProcess::Free) return {};
+  return "loop.process is pressed: the nozzle's height is corrected, amounts stay as planned, since the "
+         "sections of beads are not measured";
+}
+
 std::string refusal(const StabilityBound& bound) {
   return bound.name + " is " + significantText(bound.value, kShownDigits) + "; expected " +
          (bound.is_lower ? "at least " : "at most ") + significantText(bound.bound, kShownDigits);
@@ -113,17 +126,21 @@ StabilityReport checkStability(const LoopSettings& settings, const LoopCalibrati
                            greatestGrowth(waveLoop(settings, calibration, report.low_pass_mm)),
                            kGrowthTolerated, false});
   report.reason = missingCalibration(calibration);
+  if (report.reason.empty()) report.reason = nothingToCorrect(settings);
   for (const StabilityBound& bound : report.bounds) {
     if (!report.reason.empty()) return report;
     const bool is_mended = bound.is_lower && report.low_pass_mm != settings.low_pass_mm;
     if (!bound.holds() && !is_mended) report.reason = refusal(bound);
   }
   report.may_start = report.reason.empty();
-  if (report.may_start && report.low_pass_mm != settings.low_pass_mm)
-    report.reason = "the low-pass of " + significantText(settings.low_pass_mm, kShownDigits) +
-                    " mm was raised to " + significantText(report.low_pass_mm, kShownDigits) +
-                    " mm: corrections act up to " + significantText(placeErrorOf(calibration), kShownDigits) +
-                    " mm off their place";
+  if (!report.may_start) return report;
+  report.reason = noteOnAmounts(settings);
+  if (report.low_pass_mm == settings.low_pass_mm) return report;
+  if (!report.reason.empty()) report.reason += "; ";
+  report.reason += "the low-pass of " + significantText(settings.low_pass_mm, kShownDigits) +
+                   " mm was raised to " + significantText(report.low_pass_mm, kShownDigits) +
+                   " mm: corrections act up to " + significantText(placeErrorOf(calibration), kShownDigits) +
+                   " mm off their place";
   return report;
 }
 

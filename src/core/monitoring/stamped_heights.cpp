@@ -25,6 +25,7 @@ LayerHeightReports StampedHeights::observe(const StampedTip& pose) {
   if (is_passed) return {};
   poses_.insert({pose.stamp_ns, pose.tip});
   workOff();
+  while (poses_.size() > kMostPoses) passBy();
   return std::exchange(done_, {});
 }
 
@@ -68,6 +69,12 @@ void StampedHeights::step() {
   reached_ = next;
   report(monitor_.move(monitor_.heightOf(next.tip)));
   if (!monitor_.isScanning()) cells_in_scan_ = 0;
+}
+
+/// On to the next pose without the profiles of the motion before, which may yet come.
+void StampedHeights::passBy() {
+  step();
+  worked_off_ns_ = std::max(worked_off_ns_.value_or(way_begin_ns_), way_begin_ns_);
 }
 
 void StampedHeights::place(const StampedProfile& profile) {

@@ -113,9 +113,8 @@ bool HeightController::isFollowedPlan(const std::string& toolpath_id) const {
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
-  has_run_ = false;
+  parts_.begin();
   is_learnt_saved_ = false;
-  ended_in_.reset();
   try {
     const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
@@ -145,23 +144,16 @@ void HeightController::beginAgainIfOver(const lamina_msgs::MachineState& machine
   publishNews();
 }
 
-/// Executors print a toolpath as often as they are asked to, and nobody announces it again. A job that was
-/// cut off may go on where it was: one at a layer well below does not.
 void HeightController::beginNextPart(const lamina_msgs::MachineState& machine) {
-  using State = lamina_msgs::MachineState;
-  const bool is_under_way = machine.state == State::STARTING || machine.state == State::EXECUTE;
-  if (!ended_in_ || !is_under_way || feed_.run() == nullptr || !part_toolpath_) return;
-  const bool is_of_plan = feed_.run()->part().toolpath_id != part_toolpath_->id;
-  // The loop may be at the next layer before the machine says so.
-  const bool is_below = !is_of_plan && machine.layer >= 0 &&
-                        static_cast<std::size_t>(machine.layer) + 1 < feed_.run()->place().layer;
-  if (*ended_in_ != State::COMPLETE && !is_below) {
-    if (machine.layer >= 0) ended_in_.reset();  // it goes on
-    return;
-  }
+  const LoopRun* run = feed_.run();
+  // A plan counts its layers anew: whether one lies below another cannot be told.
+  const bool is_of_part = run != nullptr && part_toolpath_ && run->part().toolpath_id == part_toolpath_->id;
+  const bool begins = parts_.see(machine, is_of_part ? run->place().layer : 0);
+  if (!begins || run == nullptr || !part_toolpath_) return;
   ROS_INFO("the machine begins another part of toolpath %s", part_toolpath_->id.c_str());
   announced_toolpath_ = part_toolpath_;
   beginPrint(*announced_toolpath_);
+  parts_.see(machine, 0);  // of this part
   publishNews();
 }
 
@@ -190,17 +182,13 @@ void HeightController::onFixedTransforms(const TfEvent& event) {
 }
 
 void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
-  using State = lamina_msgs::MachineState;
   beginAgainIfOver(*message);
   beginNextPart(*message);
-  const bool is_over = message->state == State::COMPLETE || message->state == State::ABORTED ||
-                       message->state == State::STOPPED;
-  has_run_ = has_run_ || !is_over;
-  if (!is_over || feed_.run() == nullptr) return;
+  if (!isEnd(*message) || feed_.run() == nullptr) return;
   const bool was_resumed = memory_.resumedAfter().has_value();
   // An executor repeats how the print before has ended.
-  if (!has_run_ && !was_resumed) return;
-  if (has_run_) endPrint(message->state);
+  if (!parts_.hasRun() && !was_resumed) return;
+  if (parts_.hasRun()) endPrint(message->state);
   memory_.forget();
   if (!was_resumed) return;
   beginPrint(*announced_toolpath_);
@@ -209,7 +197,6 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
 
 void HeightController::endPrint(std::uint8_t state) {
   const bool is_complete = state == lamina_msgs::MachineState::COMPLETE;
-  ended_in_ = state;
   hold_.releaseAll();
   feed_.pass();
   if (is_complete) feed_.finish();

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/control/report/loop_record.hpp"
 #include "loop/loop_feed.hpp"
+#include "loop/part_watch.hpp"
 #include "print_hold.hpp"
 #include "print_memory.hpp"
 
@@ -87,9 +87,8 @@ class HeightController {
   double last_arrival_s_ = 0.0;
   bool is_quiet_ = true;  ///< all that came was worked off
   bool is_saved_ = true;
-  bool has_run_ = false;          ///< since the print began the machine was seen in a state that is no end
   bool is_learnt_saved_ = false;  ///< of the print under way
-  std::optional<std::uint8_t> ended_in_;  ///< state of the machine, once the print is over
+  PartWatch parts_;
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;
   ros::Subscriber profile_;

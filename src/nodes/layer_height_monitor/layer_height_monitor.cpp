@@ -94,6 +94,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
   diagnostics_.add("layer heights",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
   toolpath_ = node.subscribe(names::kToolpath, 1, &LayerHeightMonitor::onToolpath, this);
+  machine_state_ = node.subscribe(names::kMachineState, 100, &LayerHeightMonitor::onMachineState, this);
   save_ = node.advertiseService(names::kSaveHeightMap, &LayerHeightMonitor::onSave, this);
   finish_ = node.advertiseService(names::kFinishMeasuring, &LayerHeightMonitor::onFinish, this);
   timer_ = node.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) { onTimer(); });
@@ -116,14 +117,36 @@ void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message
   if (!is_saved_)
     ROS_WARN_STREAM("the map of toolpath " << toolpath_id_ << " is dropped unsaved: toolpath " << message->id
                                            << " has come");
+  announced_ = message;
+  beginPart();
+}
+
+/// Executors print a toolpath as often as they are asked to, and nobody announces it again.
+void LayerHeightMonitor::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
+  const std::size_t printed = heights_ ? heights_->monitor().printed().value_or(0) : 0;
+  if (!parts_.see(*message, printed) || !heights_) return;
+  ROS_INFO_STREAM("the machine begins another part of toolpath " << toolpath_id_);
+  try {
+    if (!is_finished_) report(heights_->finish());
+    if (!is_saved_ && !settings_.output_folder.empty()) save();
+  } catch (...) {
+    ROS_ERROR_STREAM("layer heights not saved: " << currentFailure().message);
+  }
+  intake_.startOver();
+  beginPart();
+  parts_.see(*message, 0);  // of this part
+}
+
+void LayerHeightMonitor::beginPart() {
   heights_.reset();
   layers_.clear();
+  parts_.begin();
   is_announced_ = is_finished_ = false;
-  toolpath_stamp_ = message->header.stamp;
+  toolpath_stamp_ = announced_->header.stamp;
   before_ = intake_.counts();
   is_saved_ = true;
   try {
-    MachineToolpath placed = fromMessage(*message);
+    MachineToolpath placed = fromMessage(*announced_);
     if (!settings_.calibration.empty()) requireCalibrationOf(calibration_, placed.machine);
     toolpath_id_ = placed.id;
     heights_ =
@@ -135,7 +158,7 @@ void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message
                                           << " cells of " << grid.cell_mm << " mm");
   } catch (...) {
     toolpath_fault_ = currentFailure().message;
-    ROS_ERROR_STREAM("cannot measure toolpath " << message->id << ": " << toolpath_fault_);
+    ROS_ERROR_STREAM("cannot measure toolpath " << announced_->id << ": " << toolpath_fault_);
   }
 }
 

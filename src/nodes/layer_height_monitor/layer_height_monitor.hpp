@@ -15,6 +15,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/monitoring/stamped_heights.hpp"
+#include "loop/part_watch.hpp"
 #include "messages.hpp"
 #include "monitor_settings.hpp"
 #include "profile_intake.hpp"
@@ -24,7 +25,8 @@ namespace lamina {
 
 /// Compares what profiles show with what the toolpath should have given.
 ///
-/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one starts new maps), tf
+/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one starts new maps), tf,
+///             machine_state (lamina/MachineState; another part starts new maps)
 /// Publishes   measuring, layer_height, height_map, height_deviation (see HeightTopics), /diagnostics
 /// Services    save_height_map (std_srvs/Trigger), finish_measuring (lamina/FinishMeasuring)
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
@@ -36,6 +38,8 @@ class LayerHeightMonitor {
 
  private:
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
+  void onMachineState(const lamina_msgs::MachineStateConstPtr& message);
+  void beginPart();
   void onProfile(const PlacedProfile& profile);
   void onNozzle(const StampedNozzle& nozzle);
   void onRestart();
@@ -54,6 +58,8 @@ class LayerHeightMonitor {
   SteadyClock clock_;
   HeightTopics topics_;
   std::unique_ptr<StampedHeights> heights_;  ///< empty before the first toolpath
+  lamina_msgs::ToolpathConstPtr announced_;  ///< the last toolpath
+  PartWatch parts_;                          ///< of it
   std::string toolpath_id_;
   ros::Time toolpath_stamp_;
   std::string toolpath_fault_;  ///< why the last toolpath could not be used
@@ -69,6 +75,7 @@ class LayerHeightMonitor {
   ProfileIntake intake_;
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;
+  ros::Subscriber machine_state_;
   ros::ServiceServer save_;
   ros::ServiceServer finish_;
   ros::WallTimer timer_;

@@ -45,7 +45,7 @@ ProfileIntake::ProfileIntake(ros::NodeHandle node, double queue_mb, CalibratedSe
 void ProfileIntake::onCloud(const CloudEvent& event) {
   const Cloud cloud = event.getMessage();
   counts_.received.add(*cloud);
-  last_cloud_ = std::max(last_cloud_, cloud->header.stamp);
+  stamps_.add(cloud->header.stamp);
   countLost(event);
   const Cloud known = cloud->header.frame_id.empty() ? nullptr : taken(cloud);
   if (known == nullptr)
@@ -91,7 +91,7 @@ void ProfileIntake::wait(const Cloud& cloud) {
 bool ProfileIntake::isTooFull() const { return static_cast<double>(counts_.waiting_bytes) > queue_bytes_; }
 
 bool ProfileIntake::hasCome(const ros::Time& position, const ros::Time& profile) {
-  if (last_cloud_ < profile) return false;
+  if (!stamps_.haveReached(profile)) return false;
   passDue();
   // Only then: what tf passes is forgotten in time, and clouds may still need it.
   const bool has_position =
@@ -127,7 +127,7 @@ void ProfileIntake::followTime() {
   const std::uint64_t restarts = sequence_.restarts();
   if (std::exchange(restarts_, restarts) == restarts) return;
   leaveOutWaiting(counts_.pushed_out);
-  last_cloud_ = ros::Time();
+  stamps_ = {};
   receivers_.restarted();
 }
 

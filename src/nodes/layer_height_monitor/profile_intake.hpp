@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cloud_stamps.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "tf/transform_intake.hpp"
 #include "tf/transform_sequence.hpp"
@@ -83,8 +84,8 @@ class ProfileIntake {
   /// Whether somebody publishes profiles and somebody tf.
   bool isConnected() const { return subscriber_.getNumPublishers() > 0 && transforms_.isConnected(); }
 
-  /// Whether tf has come up to `position` and profiles up to `profile`, and all clouds that these place are
-  /// worked off. Zero stamps ask for no more than has come.
+  /// Whether tf has come up to `position` and profiles up to `profile` (`CloudStamps`), and all clouds that
+  /// these place are worked off. Zero stamps ask for no more than has come.
   bool hasCome(const ros::Time& position, const ros::Time& profile);
 
   /// Leaves out, and counts, what belongs to a print that is over: clouds that wait, and poses of the nozzle
@@ -126,7 +127,7 @@ class ProfileIntake {
   Receivers receivers_;
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;
-  ros::Time last_cloud_;                                ///< latest stamp of all clouds received
+  CloudStamps stamps_;                                  ///< of all clouds received
   std::uint64_t restarts_ = 0;                          ///< of the sequence that the receivers know of
   std::map<std::string, std::uint32_t> last_sequence_;  ///< by publisher
   ros::WallTimer timer_;

@@ -58,6 +58,16 @@ TEST(CorrectedToolpath, GivesEachMillimetreTheTimeOfItsAmount) {
   }
 }
 
+/// A wall that is to be a quarter thicker where a led feeder goes a fifth slower at its usual rate: a steady
+/// feeder goes a fifth slower too, and not slower by both.
+TEST(CorrectedToolpath, TakesTheAmountOnceWhereTheMapHasSpeeds) {
+  const Toolpath part = test::stackedBeads(2);
+  const Toolpath corrected = correctedToolpath(part, {firstBeadMap(part, 1, {{0.25, -0.2, 0.0}})}, 0.02);
+  EXPECT_NEAR(timeOf(corrected.layers[1].paths[1]), 4.0 * 1.25, 1e-9);
+  for (std::size_t i = 1; i < corrected.layers[1].paths[1].points.size(); ++i)
+    EXPECT_NEAR(corrected.layers[1].paths[1].feed_mm_s.at(i), 8.0, 1e-9);
+}
+
 TEST(CorrectedToolpath, WithoutCorrectionIsTheSame) {
   const Toolpath part = test::stackedBeads(2);
   EXPECT_EQ(toolpathId(correctedToolpath(part, {}, 0.02)), toolpathId(part));

@@ -106,6 +106,19 @@ TEST(TaughtPart, TeachesNothingWithoutANameOrAWholePart) {
   EXPECT_FALSE(run.learnt(PartEnd::Complete)) << "not a layer is laid";
 }
 
+/// The nozzle makes the heights of a pressed process: by them no amount is learnt, or laid.
+TEST(TaughtPart, TakesNoAmountsFromTheHeightsOfAPressedProcess) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("learnt.csv");
+  SensedWallCase wall = taughtWall("");
+  writeFile(file, partMapCsv(*sensedWall(wall).learnt));
+  wall.settings.loop.process = LoopProcess::Pressed;
+  wall.settings.loop.z = NozzleHeight::Layer;
+  EXPECT_FALSE(sensedWall(wall).learnt);
+  wall.settings.learned = file;
+  EXPECT_THROW(sensedWall(wall), InvalidInput);
+}
+
 TEST(TaughtPart, LearnsNothingFromAnAbortedPart) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("learnt.csv");

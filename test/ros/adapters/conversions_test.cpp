@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "point_cloud.hpp"
@@ -174,6 +178,60 @@ TEST(Conversions, LeaveOutWhatASensorSendsInPlaceOfPoints) {
   ASSERT_EQ(read.points.size(), 2u);
   EXPECT_LT((read.points[0] - Point3(11, 20, 1)).norm(), 1e-4);  // single precision of metres
   EXPECT_LT((read.points[1] - Point3(10, 20, 2)).norm(), 1e-4);
+}
+
+sensor_msgs::PointField fieldOf(const std::string& name, std::uint8_t type, std::uint32_t offset) {
+  sensor_msgs::PointField field;
+  field.name = name;
+  field.datatype = type;
+  field.offset = offset;
+  field.count = 1;
+  return field;
+}
+
+/// A point at 1.5, -2 and 0.0625 m: x and y as double, z as float, with the highest byte first.
+sensor_msgs::PointCloud2 cloudOfDoubles() {
+  using Field = sensor_msgs::PointField;
+  sensor_msgs::PointCloud2 cloud;
+  cloud.fields = {fieldOf("y", Field::FLOAT64, 0), fieldOf("x", Field::FLOAT64, 8),
+                  fieldOf("z", Field::FLOAT32, 16)};
+  cloud.data = {0xC0, 0, 0, 0, 0, 0, 0, 0, 0x3F, 0xF8, 0, 0, 0, 0, 0, 0, 0x3D, 0x80, 0, 0};
+  cloud.is_bigendian = 1;
+  cloud.point_step = cloud.row_step = 20;
+  cloud.width = cloud.height = 1;
+  return cloud;
+}
+
+TEST(Conversions, ReadCloudsOfDoublesInEitherOrderOfBytes) {
+  const Point3 expected(1500.0, -2000.0, 62.5);
+  sensor_msgs::PointCloud2 cloud = cloudOfDoubles();
+  EXPECT_EQ(lamina::profilesFromMessage(cloud), (std::vector<std::vector<Point3>>{{expected}}));
+  std::reverse(cloud.data.begin(), cloud.data.begin() + 8);
+  std::reverse(cloud.data.begin() + 8, cloud.data.begin() + 16);
+  std::reverse(cloud.data.begin() + 16, cloud.data.end());
+  cloud.is_bigendian = 0;
+  const lamina::CloudPoints read = lamina::fromMessage(cloud, Eigen::Isometry3d::Identity());
+  ASSERT_EQ(read.points.size(), 1u);
+  EXPECT_EQ(read.points[0], expected);
+}
+
+TEST(Conversions, RefuseCloudsOfOtherNumbersOrTooFewBytes) {
+  sensor_msgs::PointCloud2 cloud = cloudOfDoubles();
+  cloud.fields[1].datatype = sensor_msgs::PointField::INT32;
+  EXPECT_THROW(lamina::profilesFromMessage(cloud), lamina::InvalidInput);
+  cloud = cloudOfDoubles();
+  cloud.fields[2].datatype = sensor_msgs::PointField::FLOAT64;  // which ends beyond the point
+  EXPECT_THROW(lamina::profilesFromMessage(cloud), lamina::InvalidInput);
+}
+
+/// 1.8e308 m have no number in millimetres.
+TEST(Conversions, LeaveOutDoublesThatOverflow) {
+  sensor_msgs::PointCloud2 cloud = cloudOfDoubles();
+  cloud.data[0] = 0x7F;
+  cloud.data[1] = 0xEF;
+  const lamina::CloudPoints read = lamina::fromMessage(cloud, Eigen::Isometry3d::Identity());
+  EXPECT_EQ(read.points.size(), 0u);
+  EXPECT_EQ(read.not_finite, 1u);
 }
 
 TEST(Conversions, RefuseAToolpathThatBreaksItsPromises) {

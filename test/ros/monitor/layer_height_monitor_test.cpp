@@ -322,6 +322,39 @@ TEST_F(LayerHeightMonitorNode, ALastLayerThatWasMissedIsNotSeenAndAWaitingCloudI
   EXPECT_EQ(done.counts.received, test::scanMessages(scan).clouds.size());
 }
 
+/// Driven once more without being announced again: the figures of the part before are none of this one.
+TEST_F(LayerHeightMonitorNode, MeasuresTheNextPartOfTheSameToolpath) {
+  sendToolpath(ros::Time(kToolpathStamp + 2.0));
+  test::PlateScan scan;
+  scan.start = end_ + ros::Duration(10.0);
+  scan.surface = [](const Point2&) { return 0.2; };
+  const std::size_t before = layers_.size();
+  send(to_, scan);
+  send(to_, test::liftAfter(scan));
+  await([&] { return layers_.size() > before; });
+  ros::Publisher machine = node_->advertise<lamina_msgs::MachineState>(names::kMachineState, 10);
+  await([&] { return machine.getNumSubscribers() > 0; });
+  lamina_msgs::MachineState state;
+  for (const std::uint8_t each : {lamina_msgs::MachineState::EXECUTE, lamina_msgs::MachineState::COMPLETE,
+                                  lamina_msgs::MachineState::STARTING}) {
+    state.state = each;
+    machine.publish(state);
+  }
+  await([] { return counted("profiles of layers") == "0"; });
+  scan.start += ros::Duration(20.0);
+  scan.surface = [](const Point2&) { return 0.25; };
+  send(to_, scan);
+  const test::ScanMessages lift = test::liftAfter(scan);
+  send(to_, lift);
+  lamina_msgs::FinishMeasuringResponse done;
+  await([&] {
+    done = finish(lift.transforms.back().header.stamp, lift.clouds.back().header.stamp);
+    return done.is_finished != 0;
+  });
+  ASSERT_EQ(done.layers.size(), 1u);
+  EXPECT_NEAR(toMillimetres(done.layers[0].mean_error), 0.05, 1e-5);
+}
+
 }  // namespace
 }  // namespace lamina
 

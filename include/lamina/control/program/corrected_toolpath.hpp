@@ -10,10 +10,11 @@
 namespace lamina {
 
 /// A toolpath corrected for a process that feeds at a constant rate, such as wire or powder. There the amount
-/// deposited depends on the time spent on each millimetre: the feed becomes the planned one times (1 + speed)
-/// / (1 + amount). The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
+/// deposited depends on the time spent on each millimetre: the feed becomes the planned one over 1 + amount.
+/// Speeds of a map are those of a feeder that is led; their amounts allow for them, so that here they change
+/// nothing. The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
 ///
-/// Motions are split where amount or speed changes by more than `split_change`; the time that each piece
+/// Motions are split where the amount changes by more than `split_change`; the time that each piece
 /// takes is exact. A corrected closed path becomes an open one that ends at its start. Travels are moved so
 /// that they connect the shifted ends of the paths before and after. Events before the first or after the
 /// last motion of a path stay there. Paths and layers keep their numbers; without corrections the toolpath is

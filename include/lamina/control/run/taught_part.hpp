@@ -15,12 +15,13 @@
 namespace lamina {
 
 /// Collects, layer by layer, what the next part of the same program, machine and material learns from this
-/// one, in eight bytes per cell. From cells that were not seen nothing is learnt.
+/// one, in eight bytes per cell. From cells that were not seen, or lie on ground that was not known, nothing
+/// is learnt.
 class TaughtPart {
  public:
   /// Reads the map of previous parts if the settings name one.
   /// @throws FileError if it cannot be read; InvalidInput as `readPartMap`, or naming what differs: program,
-  ///   machine, material, layers, or cells of a layer
+  ///   machine, material, layers, or cells of a layer; InvalidInput of a pressed process
   TaughtPart(const Toolpath& toolpath, PartIdentity identity, const LoopRunSettings& settings);
 
   /// Amounts learnt for a layer; empty without a map.
@@ -35,11 +36,13 @@ class TaughtPart {
   /// longer used.
   void abandon();
 
-  /// The map for the next part; none if machine or material has no name, the part was abandoned, or a layer
-  /// with cells is not done.
+  /// The map for the next part; none if machine or material has no name, the process is a pressed one (whose
+  /// heights say nothing of amounts), the part was abandoned, or a layer with cells is not done.
   std::optional<PartMap> learnt(const Toolpath& toolpath, PartEnd end) const;
 
  private:
+  bool teaches() const;
+
   struct Layer {
     std::vector<float> amount;
     std::vector<float> growth_error_mm;
@@ -48,7 +51,8 @@ class TaughtPart {
   PartIdentity identity_;
   PartMap before_;
   bool is_abandoned_ = false;
-  std::vector<double> error_mm_;  ///< height errors of the layer's cells before it was deposited
+  /// Height errors of the layer's cells before it was deposited; NaN where they are not known.
+  std::vector<double> error_mm_;
   std::vector<Layer> layers_;
 };
 

@@ -53,7 +53,7 @@ void addMotion(WaypointValues& waypoints, const Path& path, std::size_t motion,
   for (const CorrectedPiece& piece : pieces) {
     done = &piece == &pieces.back() ? 1.0 : std::min(1.0, done + piece.share);
     const Eigen::Quaterniond orientation = path.orientation.at(motion).slerp(done, path.orientation.at(end));
-    const double feed = path.feed_mm_s.at(end) * (1.0 + piece.mean.speed) / (1.0 + piece.mean.amount);
+    const double feed = path.feed_mm_s.at(end) / (1.0 + piece.mean.amount);
     waypoints.add(movedBack(path.points[motion] + done * way, orientation, piece.end_dz_mm), orientation,
                   feed, path, end);
   }

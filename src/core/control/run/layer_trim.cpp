@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lamina {
@@ -32,7 +33,8 @@ LayerTrim::LayerTrim(const LayerCells& cells, const std::vector<CellEstimate>& l
       least_(settings.least_amount),
       greatest_(settings.greatest_amount) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    predicted_mm_.push_back(laid[i].error());
+    // Over ground that is not known, how low a cell is says nothing of its growth.
+    predicted_mm_.push_back(laid[i].isKnown() ? laid[i].error() : std::numeric_limits<double>::quiet_NaN());
     growth_mm_.push_back(laid[i].gain() * cells.height_mm[i] * (1.0 + planned_[i]));
   }
 }

@@ -487,7 +487,11 @@ void LoopRun::shiftNozzle() {
   const double height = meanOverCells(cells, cells.height_mm);
   if (status_.state == LoopState::Active) {
     const NozzleRoom room{height, highestCell(loop_->estimates()), settings_.head_clearance_mm};
-    shift_mm_ = nozzleShift(cells, loop_->knowledge(), mean_shift_mm_, room, settings_.loop);
+    LayerKnowledge known = loop_->knowledge();
+    // Of a pressed layer that nobody saw the estimate is the nozzle's plane: it would take back the shift.
+    if (settings_.loop.process == LoopProcess::Pressed)
+      known.error_mm.assign(cells.size(), loop_->seenError().value_or(0.0));
+    shift_mm_ = nozzleShift(cells, known, mean_shift_mm_, room, settings_.loop);
   } else {
     const double step = kShiftBack * height;
     shift_mm_.assign(cells.size(), mean_shift_mm_ - std::clamp(mean_shift_mm_, -step, step));

@@ -47,11 +47,12 @@ std::vector<double> TaughtPart::amountsOf(std::size_t layer) const {
 
 void TaughtPart::begin(const HeightLoop& loop) {
   error_mm_.clear();
-  for (const CellEstimate& cell : loop.estimates()) error_mm_.push_back(cell.error());
+  for (const CellEstimate& cell : loop.estimates())
+    error_mm_.push_back(cell.isKnown() ? cell.error() : std::numeric_limits<double>::quiet_NaN());
 }
 
 void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) {
-  if (is_abandoned_ || identity_.machine.empty() || identity_.material.empty()) return;
+  if (!teaches()) return;
   Layer layer;
   for (std::size_t i = 0; i < loop.estimates().size(); ++i) {
     const CellEstimate& cell = loop.estimates()[i];
@@ -62,10 +63,15 @@ void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) 
   layers_.at(loop.cells().layer) = std::move(layer);
 }
 
+bool TaughtPart::teaches() const {
+  const bool is_free = settings_.loop.process == LoopProcess::Free;
+  return is_free && !is_abandoned_ && !identity_.machine.empty() && !identity_.material.empty();
+}
+
 void TaughtPart::abandon() { is_abandoned_ = true; }
 
 std::optional<PartMap> TaughtPart::learnt(const Toolpath& toolpath, PartEnd end) const {
-  if (is_abandoned_ || identity_.machine.empty() || identity_.material.empty()) return std::nullopt;
+  if (!teaches()) return std::nullopt;
   std::vector<DepositedLayer> part;
   for (std::size_t k = 0; k < layers_.size(); ++k) {
     DepositedLayer layer{cellsAgain(toolpath, k, settings_.cell_mm), {}, {}};
