@@ -33,6 +33,8 @@ void printJson(const RewriteReport& report, const std::string& output, double se
                                  {"layer_height_mm", report.layer_height_mm},
                                  {"part", toJson(report.part)},
                                  {"stands_on_edge", standsOnEdge(report)},
+                                 {"first_layer_gap_mm", report.first_layer_gap_mm},
+                                 {"begins_in_air", beginsInAir(report)},
                                  {"tool_axis_off_normal_deg", report.tool_axis_off_normal_deg},
                                  {"nozzle", toJson(report.nozzle)},
                                  {"seconds", seconds},
@@ -66,6 +68,7 @@ void printText(const RewriteReport& report, const std::string& output, double se
     std::printf(
         "notice      the part stands on an edge: was the mesh tilted by the opposite angle before "
         "slicing?\n");
+  if (beginsInAir(report)) std::printf("notice      %s\n", noticeOnFirstLayer(report).c_str());
   if (isToolAxisOffNormal(report))
     std::printf("notice      the machine holds its nozzle at %.2f deg from the normal of the layers\n",
                 report.tool_axis_off_normal_deg);

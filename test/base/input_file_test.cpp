@@ -114,6 +114,15 @@ TEST(InputFile, ReadsNoMoreThanItMay) {
   EXPECT_THROW(InputFile(pipe.path()).readRest({}, 5), FileError);
 }
 
+/// What grows needs its old room and twice as much at once.
+TEST(InputFile, WithoutASizeLeavesRoomToGrow) {
+  constexpr double kAvailable = 6e9;
+  EXPECT_EQ(mostBytesInMemory(kAvailable, 1000), 4800000000U);
+  const std::size_t of_pipe = mostBytesInMemory(kAvailable, 0);
+  EXPECT_GT(of_pipe, 1000000000U);
+  EXPECT_LE(3.0 * static_cast<double>(of_pipe), 0.8 * kAvailable);
+}
+
 TEST(InputFile, RefusesWhatCannotBeRead) {
   EXPECT_THROW(InputFile("/nowhere/file"), FileError);
   const test::ScratchFolder folder;

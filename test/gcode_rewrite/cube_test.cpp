@@ -58,6 +58,41 @@ TEST(CubeOnAnEdge, StandsOnItsWholeFace) {
   EXPECT_NEAR(footprint.size().y(), kEdge, 3.0);  // the slicer's layers end within a layer of the edge
 }
 
+TEST(CubeOnAnEdge, BeginsOnTheBed) {
+  const RewriteReport report = transformed(cubeOnAnEdge(), test::withHeight(1.5)).report;
+  EXPECT_NEAR(report.first_layer_gap_mm, 0.0, 1e-6);
+  EXPECT_FALSE(beginsInAir(report));
+  EXPECT_EQ(noticeOnFirstLayer(report), "");
+}
+
+/// A ball of 20 mm on its slicer's bed, in layers of 0.2 mm, each by the corners of a square in its circle.
+std::string ball() {
+  constexpr double kRadius = 10.0;
+  std::ostringstream program;
+  program.precision(12);
+  program << ";Layer height: 0.2\nM83\n";
+  for (int k = 1; k < 100; ++k) {
+    const double z = 0.2 * k;
+    const double r = std::sqrt(kRadius * kRadius - (z - kRadius) * (z - kRadius));
+    program << ";LAYER:" << k - 1 << "\nG0 X" << r << " Y0 Z" << z << "\nG1 X0 Y" << r << " E1\nG1 X" << -r
+            << " Y0 E1\nG1 X0 Y" << -r << " E1\nG1 X" << r << " Y0 E1\n";
+  }
+  return program.str();
+}
+
+/// Its first layer has a radius of 1.98997 mm, 9.8 mm below the middle: turned, it ends
+/// (1.98997 + 9.8) / sqrt 2 = 8.337 mm below, and the ball 10 mm below.
+TEST(Ball, BeginsInMidAirOnceItIsTurned) {
+  const RewriteReport report = transformed(ball(), test::withHeight(0.2)).report;
+  EXPECT_NEAR(report.first_layer_gap_mm, 10.0 - 8.337, 0.01);
+  EXPECT_TRUE(beginsInAir(report));
+  EXPECT_TRUE(test::contains(noticeOnFirstLayer(report), "begins 1.66 mm above the bed"))
+      << noticeOnFirstLayer(report);
+  const RewriteReport level =
+      transformed(ball(), test::withHeight(0.2), rotation(Point3::UnitX(), 0.0)).report;
+  EXPECT_NEAR(level.first_layer_gap_mm, 0.0, 1e-9);
+}
+
 TEST(CubeOnAnEdge, StandsOnThatEdgeWhereItIsNotTurned) {
   const Box3 footprint =
       transformed(cubeOnAnEdge(), test::withHeight(1.5), rotation(Point3::UnitX(), 0.0)).report.footprint;

@@ -73,5 +73,23 @@ TEST(PatternJob, ReportsHowMuchLiesOnItselfWhereLinesCross) {
   }
 }
 
+/// A lattice of squares leaves a part open beside borders that do not lie along it.
+TEST(PatternJob, SaysWhatCellsOfASolidInfillLeaveOpen) {
+  SliceJob job = test::plainJob();
+  job.settings.planning.infill.strategy = "hilbert_quadtree";
+  job.settings.planning.infill.density = 1.0;
+  const test::ScratchFolder folder;
+  job.part = folder.file("disc.stl");
+  writeStl(job.part, makePart("cylinder", {{"radius_mm", "10"}, {"height_mm", "1"}}));
+  NoProgress nobody;
+  const std::vector<std::string> notes = runSliceJob(job, nobody).summary.notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes.front().rfind("cells of solid infill 'hilbert_quadtree' do not fit everywhere: ", 0), 0U)
+      << notes.front();
+  EXPECT_NE(notes.front().find("more than 0.5 % in 5;"), std::string::npos) << notes.front();
+  job.settings.planning.infill.density = 0.5;
+  EXPECT_TRUE(runSliceJob(job, nobody).summary.notes.empty());
+}
+
 }  // namespace
 }  // namespace lamina

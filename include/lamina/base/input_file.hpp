@@ -11,6 +11,11 @@ namespace lamina {
 /// Greatest size of a file of settings, of a description or of a plate [bytes].
 inline constexpr std::size_t kMostSettingsBytes = std::size_t{64} << 20;
 
+/// How much of a file may be held in memory [bytes]: 80 % of what is available, and a third of that of what
+/// has no size, such as a pipe, for what grows is moved to twice its room while it is still there.
+/// @param size  of the file [bytes]; 0 if it has none
+std::size_t mostBytesInMemory(double available_bytes, std::size_t size);
+
 /// A file open for reading from its start, for files that are too large to be held as a whole.
 ///
 /// Only regular files are opened, so that reading neither waits for a pipe nor reads a device without end;
@@ -34,7 +39,7 @@ class InputFile {
   std::size_t read(char* buffer, std::size_t count);
 
   /// The bytes `read_before`, which were read earlier, followed by the rest of the file. All of it may take
-  /// up to 80 % of the available memory.
+  /// up to `mostBytesInMemory`.
   /// @throws FileError if there are more bytes than that, stating how many; as `read`
   std::string readRest(std::string_view read_before = {});
   /// The bytes `read_before`, followed by the rest of the file, if these are at most `most_bytes` together.

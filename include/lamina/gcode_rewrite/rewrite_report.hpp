@@ -27,6 +27,9 @@ struct RewriteReport {
   /// lowest one [mm]. If the mesh was not tilted before it was sliced, the part stands on an edge, and this
   /// box is narrow.
   Box3 footprint;
+  /// How far the lowest bead of the part's first layer begins above the bed; 0 in the mode `Listing`. Above
+  /// that gap the first layer, and all others on it, are laid in mid-air.
+  double first_layer_gap_mm = 0.0;
   Box3 part;                              ///< box of the ends of deposition, over the bed [mm]
   double tool_axis_off_normal_deg = 0.0;  ///< angle between the nozzle and the normal of the layers
   Box3 nozzle;  ///< box of all positions of the nozzle in the part, over the bed [mm]
@@ -36,6 +39,13 @@ struct RewriteReport {
 /// mesh was not tilted by the opposite angle before it was sliced. Always false in the mode `Listing`, which
 /// finds no footprint.
 bool standsOnEdge(const RewriteReport& report);
+
+/// Whether nothing holds the first layer: it begins above the bed by more than two layer heights, about the
+/// width of a bead. So does a part that is round or level where its layers begin.
+bool beginsInAir(const RewriteReport& report);
+
+/// What a user should know of a first layer that begins in mid-air; empty if it does not.
+std::string noticeOnFirstLayer(const RewriteReport& report);
 
 /// Greatest angle between tool axis and normal of the layers that is neglected [deg]; heads are built far
 /// less accurately.

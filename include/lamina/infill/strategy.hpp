@@ -88,6 +88,12 @@ enum class WallContact {
   Beside,       ///< they do not
 };
 
+/// How the beads of a solid fill lie in its area.
+enum class SolidFit {
+  Fitted,   ///< as far as its border, their widths fitted to the room there
+  InCells,  ///< in equal cells, which leave open what they do not fit into
+};
+
 /// An infill strategy, with the properties that the planner needs to know.
 struct InfillStrategy {
   FillFunction fill;
@@ -105,6 +111,7 @@ struct InfillStrategy {
   std::vector<double> fixed_lines_deg = {};
   /// The strictest `InfillRequest::advance` that its solid fill can keep.
   LineAdvance advance = LineAdvance::Shortest;
+  SolidFit solid = SolidFit::Fitted;
 };
 
 /// All strategies by name, those of plug-ins included. A plug-in adds one by `infillStrategies().add("name",

@@ -10,6 +10,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/bridges/bridge_settings.hpp"
+#include "lamina/planning/left_open.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/modifiers/plan_variant.hpp"
 #include "lamina/planning/order/anchoring.hpp"
@@ -50,6 +51,7 @@ struct Plan {
   /// Volume that no bead or drop fills: too thin, left out whole by a solid fill, or without room on its
   /// layer.
   double unprinted_mm3 = 0.0;
+  LeftOpen left_open;  ///< by solid fills in cells
   SupportTotals supports;
   double raft_mm = 0.0;  ///< height of the raft, which lies below the part; the part keeps its coordinates
 };

@@ -85,11 +85,16 @@ void InputFile::wait() const {
   fail(path_, errno);
 }
 
-std::string InputFile::readRest(std::string_view read_before) {
+std::size_t mostBytesInMemory(double available_bytes, std::size_t size) {
   constexpr double kMostOfMemory = 0.8;
   constexpr double kMost = 1e15;  // where the machine does not say what memory it has
-  const double room = kMostOfMemory * availableMemory();
-  return readRest(read_before, static_cast<std::size_t>(std::min(room, kMost)));
+  constexpr double kGrowing = 3.0;
+  const double room = std::min(kMostOfMemory * available_bytes, kMost);
+  return static_cast<std::size_t>(size > 0 ? room : room / kGrowing);
+}
+
+std::string InputFile::readRest(std::string_view read_before) {
+  return readRest(read_before, mostBytesInMemory(availableMemory(), size_));
 }
 
 std::string InputFile::readRest(std::string_view read_before, std::size_t most_bytes) {

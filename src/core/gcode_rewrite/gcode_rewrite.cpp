@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/gcode_rewrite/gcode_rewrite.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -353,6 +354,14 @@ RewriteReport reportOf(const Survey& survey, const Point3& shift, const RewriteS
   return report;
 }
 
+/// 0 where a raft or supports may lie below, and where the height of layers is not known.
+double firstLayerGap(const SurveyTotals& totals, const RewriteReport& report,
+                     const RewriteSettings& settings) {
+  const bool has_aids = settings.build_aids == BuildAids::Kept && !totals.aids.box.isEmpty();
+  if (has_aids || report.layer_height_mm <= 0.0) return 0.0;
+  return std::max(0.0, totals.first_layer_low_mm + report.shift.z() - report.layer_height_mm);
+}
+
 void requireToolAxis(double off_normal_deg, const RewriteSettings& settings) {
   if (!settings.tool_axis || settings.tool_axis_rule == ToolAxisRule::AsMachine ||
       off_normal_deg <= kToolAxisToleranceDeg)
@@ -378,6 +387,7 @@ RewriteReport rewriteCorrected(const ProgramFiles& files, PointTransform transfo
     rewriter.finish(out);
   });
   RewriteReport report = reportOf(measured.survey, transform.shift, settings);
+  report.first_layer_gap_mm = firstLayerGap(measured.survey.totals, report, settings);
   report.nozzle = rewriter.nozzle().box;
   report.footprint = rewriter.footprint();
   report.tool_axis_off_normal_deg = off_normal_deg;

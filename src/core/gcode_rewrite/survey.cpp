@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gcode_rewrite/survey.hpp"
 
+#include <algorithm>
+
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 
@@ -92,7 +94,9 @@ void Surveyor::addPoints(const std::vector<Point3>& ends, std::size_t number) {
     live_.last_deposition = number;
     live_.motion_after_deposition = 0;
     live_.depositions += is_aid ? 0 : 1;
-    deposited.include(transform_.map.map(motion.start), number);
+    const Point3 start = transform_.map.map(motion.start);
+    deposited.include(start, number);
+    if (!is_aid) addToFirstLayer(start);
   } else if (live_.motion_after_deposition == 0) {
     live_.motion_after_deposition = number;
   }
@@ -100,7 +104,14 @@ void Surveyor::addPoints(const std::vector<Point3>& ends, std::size_t number) {
     const Point3 mapped = transform_.map.map(end);
     if (!(is_aid && build_aids_ == BuildAids::Dropped)) live_.nozzle.include(mapped, number);
     if (deposits) deposited.include(mapped, number);
+    if (deposits && !is_aid) addToFirstLayer(mapped);
   }
+}
+
+void Surveyor::addToFirstLayer(const Point3& mapped) {
+  if (live_.first_layer == 0) live_.first_layer = live_.layers;
+  if (live_.layers != live_.first_layer) return;
+  live_.first_layer_low_mm = std::min(live_.first_layer_low_mm, mapped.z());
 }
 
 Survey Surveyor::finish() {

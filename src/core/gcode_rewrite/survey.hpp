@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ struct SurveyTotals {
   Extremes aids;    ///< both ends of motions that deposit skirt, brim, raft, support or priming tower
   Extremes nozzle;  ///< ends of all motions except those of dropped build aids
   std::size_t layers = 0;
+  std::size_t first_layer = 0;  ///< value of `layers` at the first deposition of the part
+  /// Lowest end of a deposition of the part in that layer, after the map and before the shift [mm].
+  double first_layer_low_mm = std::numeric_limits<double>::infinity();
   std::size_t motions = 0;
   std::size_t depositions = 0;
   std::size_t arcs = 0;
@@ -66,6 +70,7 @@ class Surveyor {
   void readMark(std::size_t number);
   void addMotion(std::size_t number);
   void addPoints(const std::vector<Point3>& ends, std::size_t number);
+  void addToFirstLayer(const Point3& mapped);
 
   const PointTransform& transform_;
   BuildAids build_aids_;

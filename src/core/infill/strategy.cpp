@@ -38,6 +38,12 @@ InfillStrategy pattern(const FillFunction& fill, std::vector<double> lines_deg, 
           Deposit::Bead, crossing,           FillGrowth::Alone, std::move(lines_deg)};
 }
 
+InfillStrategy cells(const FillFunction& fill, LayerLink link, WallContact contact) {
+  InfillStrategy strategy{fill, RunOrder::Shortest, link, contact};
+  strategy.solid = SolidFit::InCells;
+  return strategy;
+}
+
 InfillStrategy zigzags() {
   InfillStrategy strategy{zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted};
   strategy.advance = LineAdvance::OneSense;
@@ -55,8 +61,8 @@ std::map<std::string, InfillStrategy> builtInStrategies() {
       {"drops_raster", drops(dropsRaster)},
       {"grid", pattern(gridFill, two_ways, 0.25)},
       {"gyroid", pattern(gyroid, two_ways)},
-      {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
-      {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
+      {"hilbert", cells(hilbert, LayerLink::Travel, WallContact::Overlapping)},
+      {"hilbert_quadtree", cells(hilbertQuadtree, LayerLink::Chained, WallContact::Beside)},
       {"honeycomb", pattern(honeycomb, three_ways)},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"lightning",

@@ -71,6 +71,7 @@ struct PlannedLayer {
   std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
   double left_out_mm3 = 0.0;     ///< see `LiftedLayer`
   Bridging bridging = {};
+  LeftOpen left_open = {};
 };
 
 /// Plans the paths of one layer, in order and joined by travels. The result depends on the arguments alone,

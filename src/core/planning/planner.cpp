@@ -31,6 +31,7 @@
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/compensation/first_layer.hpp"
 #include "planning/layer_planner.hpp"
+#include "planning/left_open.hpp"
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
 #include "planning/order/starts_in_air.hpp"
@@ -152,6 +153,7 @@ Plan inOne(std::vector<PlannedLayer> planned) {
     plan.starts += each.starts;
     plan.anchored.moved += each.moved_starts;
     plan.bridging += each.bridging;
+    plan.left_open += each.left_open;
     plan.toolpath.layers.push_back(std::move(each.layer));
   }
   return plan;
@@ -375,6 +377,12 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   return planned;
 }
 
+PlannedLayer planMeasured(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
+  PlannedLayer planned = planAnywhere(stacked, index, context);
+  planned.left_open = leftOpenIn(stacked, planned.layer, index, context);
+  return planned;
+}
+
 /// Brings a layer that was planned in a plan to where it is deposited.
 void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) {
   const double top_mm = planned.layer.z_mm;
@@ -477,7 +485,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        planned[i] = planAnywhere(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : contextAt(i));
+        planned[i] = planMeasured(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : contextAt(i));
         if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
         takeRoomNeeded(planned[i].layer.paths);

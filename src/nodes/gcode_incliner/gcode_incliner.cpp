@@ -134,6 +134,10 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   if (isToolAxisOffNormal(report))
     answer.status.message = "the machine holds its nozzle at " + numberText(report.tool_axis_off_normal_deg) +
                             " deg from the normal of the layers; expected 0";
+  if (beginsInAir(report)) {
+    std::string& message = answer.status.message;
+    message += (message.empty() ? "" : "; ") + noticeOnFirstLayer(report);
+  }
   progress.report("view", 0.0);
   view(request.program, settings, answer);
   return answer;

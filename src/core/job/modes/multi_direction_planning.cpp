@@ -91,6 +91,7 @@ class PieceByPiece {
     Plan plan = planPart(request_.partName(), layers, settingsFor(piece, request_.job.settings.planning),
                          incline, progress);
     planned_.plan.unprinted_mm3 += plan.unprinted_mm3;
+    planned_.plan.left_open += plan.left_open;
     planned_.plan.anchored.moved += plan.anchored.moved;
     planned_.plan.anchored.in_air += plan.anchored.in_air;
     for (const Layer& layer : layers)

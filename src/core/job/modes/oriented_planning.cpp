@@ -149,6 +149,19 @@ void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
     summary.notes.push_back(asked + " has no effect with infill.strategy '" + planning.infill.strategy + "'");
 }
 
+/// Of a solid infill in cells, where it leaves more open than others do.
+void addNoteOnOpen(SliceSummary& summary, const LeftOpen& open, const std::string& strategy) {
+  if (open.open_layers == 0) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "cells of solid infill '%s' do not fit everywhere: %.2f %% of its layers stays open, at most "
+                "%.2f %%, in layer %zu; more than %.4g %% in %zu; voids.refill beads fills what beads can, "
+                "and infill.strategy contour or zigzag leaves less",
+                strategy.c_str(), 100.0 * open.open_mm2 / open.area_mm2, open.worst_percent, open.worst_layer,
+                kMostOpenPercent, open.open_layers);
+  summary.notes.emplace_back(text);
+}
+
 bool needsPart(const JobSettings& settings) {
   return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
 }
@@ -166,6 +179,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   addPlanned(summary, planned);
   addNoteOnCrossings(summary, settings);
   addNoteOnBridges(summary, settings);
+  addNoteOnOpen(summary, planned.plan.left_open, settings.planning.infill.strategy);
   if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
     return std::move(planned.plan.toolpath);
   const Toolpath as_sliced = changesOrientation(settings.orientation) ? planned.plan.toolpath : Toolpath();

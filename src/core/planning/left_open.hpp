@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "lamina/planning/left_open.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/layer_planner.hpp"
+
+namespace lamina {
+
+/// What a layer leaves open, if it is to be solid and its fill lies in cells; all 0 otherwise, and where
+/// regions of it have settings of their own.
+/// @param planned  the layer, where it was sliced
+LeftOpen leftOpenIn(const StackedLayer& stacked, const ToolpathLayer& planned, std::size_t index,
+                    const PlanContext& context);
+
+}  // namespace lamina
