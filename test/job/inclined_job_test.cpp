@@ -95,7 +95,7 @@ double largestDifference(const Toolpath& a, const Toolpath& b, const Eigen::Matr
 TEST(InclinedJob, DirectSlicingIsPlanarSlicingOfTheTurnedMeshTurnedBack) {
   const test::ScratchFolder folder;
   const Mesh mesh =
-      test::joined(test::boxBetween({0, 0, 0}, {20, 15, 10}), test::boxBetween({30, 2, 0}, {41, 9, 25}));
+      joined(test::boxBetween({0, 0, 0}, {20, 15, 10}), test::boxBetween({30, 2, 0}, {41, 9, 25}));
   for (const auto& [angle, heading] : {std::pair{45.0, 0.0}, {30.0, 90.0}, {60.0, 217.0}}) {
     const Eigen::Matrix3d rotation = documentedRotation(angle, heading);
     Mesh turned_mesh = mesh;

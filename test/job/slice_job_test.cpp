@@ -229,7 +229,7 @@ TEST_F(SliceJobTest, PrintsAFinThatIsNarrowerThanABead) {
 TEST_F(SliceJobTest, ReportsWhatAFillLeavesOutWhole) {
   // A drop of 1 mm fits the one box, and not the other: 0.5 x 20 x 1 mm.
   const Mesh wide = test::boxBetween({0, 0, 0}, {10, 10, 1});
-  writeStl(job_.part, test::joined(wide, test::boxBetween({15, 0, 0}, {15.5, 20, 1})));
+  writeStl(job_.part, joined(wide, test::boxBetween({15, 0, 0}, {15.5, 20, 1})));
   job_.settings.planning.infill.strategy = "drops_raster";
   job_.settings.planning.infill.density = 1.0;
   for (double* size :
@@ -243,7 +243,7 @@ TEST_F(SliceJobTest, CountsEmptyLayersBelowOthers) {
   // Nothing fits the neck, 0.05 mm thick, from 1 to 2 mm: 5 layers of 0.2 mm.
   const Mesh foot = test::boxBetween({0, 0, 0}, {10, 10, 1});
   const Mesh neck = test::boxBetween({5, 5, 1}, {5.05, 5.05, 2});
-  writeStl(job_.part, test::joined(test::joined(foot, neck), test::boxBetween({0, 0, 2}, {10, 10, 3})));
+  writeStl(job_.part, joined(joined(foot, neck), test::boxBetween({0, 0, 2}, {10, 10, 3})));
   const SlicedPart sliced = run();
   EXPECT_EQ(sliced.summary.empty_layers, 5U);
   EXPECT_NEAR(sliced.summary.unprinted_mm3, 0.05 * 0.05 * 1.0, 1e-6);

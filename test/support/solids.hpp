@@ -16,15 +16,6 @@ inline Mesh turnedInsideOut(Mesh mesh) {
   return mesh;
 }
 
-/// Both meshes as one, no vertex shared.
-inline Mesh joined(Mesh mesh, const Mesh& other) {
-  const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles)
-    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  return mesh;
-}
-
 /// Equal vertices made one, as a reader of STL files does.
 inline Mesh welded(const Mesh& mesh) {
   Mesh result;

@@ -79,7 +79,7 @@ Json artefactsJson(const std::vector<Artefact>& all) {
 Json executionJson(const ExecutionRow& execution) {
   // Executors that do not measure what they deposit leave it at zero: that is no figure of the part.
   const double material_mm3 = execution.progress.deposited_mm3;
-  const auto measured = material_mm3 > 0.0 ? std::optional<double>(material_mm3) : std::nullopt;
+  const Json measured = material_mm3 > 0.0 ? Json(material_mm3) : Json(nullptr);
   return {{"id", execution.id},
           {"attempt", execution.attempt},
           {"started", execution.started_s},
@@ -88,7 +88,7 @@ Json executionJson(const ExecutionRow& execution) {
           {"reason", execution.reason},
           {"operator", execution.operator_name},
           {"lines_taken", execution.progress.taken_through},
-          {"material_mm3", numberOrNull(measured)}};
+          {"material_mm3", measured}};
 }
 
 Json transitionsJson(const std::vector<TransitionRow>& rows) {

@@ -23,14 +23,6 @@ Mesh voxelisedMeshBox(const Point3& low, const Point3& high) {
   return mesh;
 }
 
-Mesh joined(Mesh one, const Mesh& other) {
-  const auto first = static_cast<std::uint32_t>(one.vertices.size());
-  one.vertices.insert(one.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Triangle& t : other.triangles)
-    one.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  return one;
-}
-
 VoxelGrid voxelised(const Mesh& mesh, double voxel_mm) {
   NoProgress progress;
   return voxelisedMesh(mesh, voxel_mm, progress);

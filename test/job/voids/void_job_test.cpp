@@ -72,7 +72,7 @@ TEST_F(VoidJobTest, FindsWhereAProgramHasPutThePart) {
 
 TEST_F(VoidJobTest, FindsThePlaceOfAPartWhoseOutermostFinIsNotPrinted) {
   const Mesh fin = test::boxBetween({12, 0, 0}, {12.1, 10, 2});
-  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 2}), fin));
+  writeStl(job_.part, joined(test::boxBetween({0, 0, 0}, {10, 10, 2}), fin));
   const VoidReport report = run(linesFrom(20, 10, 4));
   EXPECT_NEAR(report.part.offset.x(), 20.0, 0.06);
   EXPECT_NEAR(report.part.offset.y(), 0.0, 0.06);
@@ -134,7 +134,7 @@ TEST_F(VoidJobTest, FindsLayersThatAreMissingBetweenOthers) {
 // The part begins above the raft and its gap, narrower at the top: a section that is too low is too large.
 TEST_F(VoidJobTest, FindsThePartAboveItsRaft) {
   writeStl(job_.part,
-           test::joined(test::boxBetween({-5, 0, 0}, {5, 10, 1}), test::boxBetween({-3, 0, 1}, {3, 10, 2})));
+           joined(test::boxBetween({-5, 0, 0}, {5, 10, 1}), test::boxBetween({-3, 0, 1}, {3, 10, 2})));
   job_.offset = Point2::Zero();
   Toolpath program = linesFrom(-5, 10, 4);
   const VoidReport plain = run(program);
@@ -156,7 +156,7 @@ TEST_F(VoidJobTest, FindsThePartAboveItsRaft) {
 }
 
 TEST_F(VoidJobTest, MissesNoLayerWhereThePartHasNoMaterial) {
-  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
+  writeStl(job_.part, joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
                                    test::boxBetween({0, 0, 1.5}, {10, 10, 2})));
   Toolpath program = linesFrom(20, 10, 4);
   program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);

@@ -267,7 +267,7 @@ Mesh spindle() {
 }
 
 TEST(AdaptedLayers, WallsThatBeginAboveTheBottomAreRefused) {
-  const Mesh two = test::joined(test::boxBetween({0, 0, 0}, {5, 5, 10}), spindle());
+  const Mesh two = joined(test::boxBetween({0, 0, 0}, {5, 5, 10}), spindle());
   AdaptedSettings settings;
   settings.max_lean_deg = 80.0;
   EXPECT_THROW(adapted(two, 1.0, settings), Unsliceable);

@@ -54,14 +54,14 @@ TEST(ConformalLayers, WhatLiesBelowOtherMaterialGetsNoCoat) {
   // A plate over half of a block: of the block's top, half is open.
   const Mesh block = test::boxBetween({0, 0, 0}, {20, 10, 5});
   const ConformalLayers roofed =
-      coat(test::joined(block, test::boxBetween({0, 0, 8}, {10, 10, 9})), settings, 0.5);
+      coat(joined(block, test::boxBetween({0, 0, 8}, {10, 10, 9})), settings, 0.5);
   const double across_mm2 = 10.0 * settings.longest_edge_mm;  // of faces across the plate's edge
   EXPECT_GE(roofed.hidden_mm2, 100.0 - 1e-6);
   EXPECT_LE(roofed.hidden_mm2, 100.0 + across_mm2);
   EXPECT_NEAR(roofed.deposited_mm3, 300.0 - roofed.hidden_mm2, 1e-6);
   // Bodies that overlap: the top of the lower one, within the higher one, is inside.
   const ConformalLayers overlapping =
-      coat(test::joined(block, test::boxBetween({-5, 0, 0}, {10, 10, 9})), settings, 0.5);
+      coat(joined(block, test::boxBetween({-5, 0, 0}, {10, 10, 9})), settings, 0.5);
   EXPECT_GE(overlapping.hidden_mm2, 100.0 - 1e-6);
   EXPECT_LE(overlapping.hidden_mm2, 100.0 + across_mm2);
   EXPECT_NEAR(overlapping.deposited_mm3, 350.0 - overlapping.hidden_mm2, 1e-6);
@@ -71,7 +71,7 @@ TEST(ConformalLayers, FacesThatAreHiddenInPartAreCoatedUpToThere) {
   ConformalSettings settings;
   settings.longest_edge_mm = 0.5;
   const Mesh table =
-      test::joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
+      joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
   const ConformalLayers layers = coat(table, settings, 0.5);
   // 16 mm2 lie below the plate; of the faces across its edge, as wide as they are long, none is coated.
   EXPECT_GE(layers.hidden_mm2, 16.0);
@@ -88,7 +88,7 @@ TEST(ConformalLayers, APartWhoseFacesAreAllHiddenIsRefused) {
   Mesh hood = test::boxBetween({2, -5, -5}, {3, 15, 15});
   for (Point3& vertex : hood.vertices)
     if (vertex.x() > 2.5) vertex.x() += 0.5 * (vertex.z() + 5.0);
-  EXPECT_THROW(coat(test::joined(wall, hood), settings, 0.5), Unsliceable);
+  EXPECT_THROW(coat(joined(wall, hood), settings, 0.5), Unsliceable);
 }
 
 TEST(ConformalLayers, WhereNoFaceLooksThatWayItIsRefused) {

@@ -86,7 +86,7 @@ TEST(PlanarSlicerProperties, WindingReportsMaterialFromHoles) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Mesh cavity = randomStar(seed);
     for (Point3& vertex : cavity.vertices) vertex *= 0.25;
-    const Mesh hollow = test::joined(randomStar(seed), test::turnedInsideOut(cavity));
+    const Mesh hollow = joined(randomStar(seed), test::turnedInsideOut(cavity));
     const Section section = planarSlicerPropertiesSlice(hollow, {0.0}).front();
     // The cavity is the part at a quarter of its size.
     RC_ASSERT(section.contours.size() == 2U);

@@ -11,7 +11,6 @@ namespace lamina {
 namespace {
 
 using test::boxBetween;
-using test::joined;
 using test::turnedInsideOut;
 using test::welded;
 

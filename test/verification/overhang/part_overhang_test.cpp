@@ -42,7 +42,7 @@ OverhangReport level(const SliceJob& job) {
 /// A column of 10 x 10 x 20 mm with an arm of 10 x 10 x 10 mm at its top.
 Mesh invertedL(double arm_y) {
   const Mesh column = test::boxBetween({0, 0, 0}, {10, 10, 20});
-  return test::joined(column, test::boxBetween({0, arm_y, 10}, {10, arm_y + 10, 20}));
+  return joined(column, test::boxBetween({0, arm_y, 10}, {10, arm_y + 10, 20}));
 }
 
 TEST(PartOverhang, AnArmHangsInLevelLayersByItsUndersideAndNotAtAllIn45Degrees) {
