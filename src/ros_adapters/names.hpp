@@ -111,7 +111,7 @@ inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamPr
 
 // Results.
 inline constexpr char kNodeEnded[] =
-    "the node was ended";  ///< begins the message of a job that is CANCELLED by the end of its own node
+    "the node was ended";  ///< in the message of a job that is CANCELLED by the end of its own node
 
 // Parameters.
 inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between

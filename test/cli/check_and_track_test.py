@@ -107,7 +107,9 @@ class CheckAndTrack(unittest.TestCase):
                 file.write("G0 X110 Y110 Z0.2 F600\n;LAYER:0\nG1 X140 E1\n" + waiting + "G0 X140 Y160\nG1 X110 E1\n")
             return self.reported("check", program, "--machine", machine)["time_s"]
         for machine in ("five_axis_head_ac", "cartesian_gantry"):
-            self.assertAlmostEqual(taking("G4 P3500\n", machine) - taking("", machine), 3.5, places=6)
+            more = taking("G4 P3500\n", machine) - taking("", machine)
+            self.assertGreaterEqual(more, 3.5)
+            self.assertLess(more, 3.52)  # it also comes to rest in the corner where it waits
 
     def test_a_part_is_sliced_for_the_machine(self):
         reported = self.reported("check", "box", "--machine", "irb_4600", "--set", "slicing.layer_height_mm=1", "--set",

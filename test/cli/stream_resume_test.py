@@ -221,12 +221,6 @@ class Rest(unittest.TestCase):
             self.assertIn("G1 X20 E2\n", text)
             self.assertNotIn("G1 X40 E1\n", text)
 
-    def test_programs_of_robots_are_refused_by_their_language(self):
-        for name, language in (("a.src", "KRL"), ("a.mod", "RAPID"), ("a.jbi", "INFORM")):
-            done = lamina("resume", name, "--from-layer=2", "--nozzle-height=50", "-o", self.rest)
-            self.assertEqual(done.returncode, 1)
-            self.assertIn(f"{name} is a program in {language}; expected G-code", done.stderr)
-
     def test_the_height_of_the_nozzle_must_be_stated(self):
         done = lamina("resume", self.program, "--from-line=7", "-o", self.rest)
         self.assertEqual(done.returncode, 1)

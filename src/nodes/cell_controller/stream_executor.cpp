@@ -44,7 +44,7 @@ int alarmOf(const lamina_msgs::Status& status) {
     case Status::OK:
       return 0;
     case Status::CANCELLED:
-      return startsWith(status.message, names::kNodeEnded) ? 2202 : 0;
+      return contains(status.message, names::kNodeEnded) ? 2202 : 0;
     case Status::DISCONNECTED:
       return 3101;
     case Status::TIMED_OUT:

@@ -18,8 +18,7 @@ namespace {
 
 /// A stem of 10 x 40 x 20 mm under a slab of 40 x 40 x 5 mm.
 Mesh tee() {
-  return joined(test::boxBetween({-5, -20, 0}, {5, 20, 20}),
-                      test::boxBetween({-20, -20, 20}, {20, 20, 25}));
+  return joined(test::boxBetween({-5, -20, 0}, {5, 20, 20}), test::boxBetween({-20, -20, 20}, {20, 20, 25}));
 }
 
 TEST(Laying, TurnsAFunnelOver) {

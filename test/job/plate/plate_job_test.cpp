@@ -139,8 +139,7 @@ TEST_F(PlateJobTest, RefusesPartsThatOverlapByBothNames) {
 TEST_F(PlateJobTest, LetsPartsStandInEachOthersBoxes) {
   // An L of two boxes, and a box in its corner.
   const std::string path = folder_.file("L.stl");
-  writeStl(path,
-           joined(test::boxBetween({0, 0, 0}, {30, 10, 2}), test::boxBetween({0, 10, 0}, {10, 30, 2})));
+  writeStl(path, joined(test::boxBetween({0, 0, 0}, {30, 10, 2}), test::boxBetween({0, 10, 0}, {10, 30, 2})));
   add(path, Point2(100, 100));
   add(box("corner", {10, 10, 2}), Point2(105, 105));
   EXPECT_EQ(refusal(), "");

@@ -156,8 +156,8 @@ TEST_F(VoidJobTest, FindsThePartAboveItsRaft) {
 }
 
 TEST_F(VoidJobTest, MissesNoLayerWhereThePartHasNoMaterial) {
-  writeStl(job_.part, joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
-                                   test::boxBetween({0, 0, 1.5}, {10, 10, 2})));
+  writeStl(job_.part,
+           joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}), test::boxBetween({0, 0, 1.5}, {10, 10, 2})));
   Toolpath program = linesFrom(20, 10, 4);
   program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);
   EXPECT_TRUE(run(program).part.missing.empty());

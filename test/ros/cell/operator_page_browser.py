@@ -22,6 +22,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
 PATIENCE = 120  # s: far above what anything takes, for loaded machines
+SETTLING = 0.8  # s: commands.js ignores presses for 0.7 s after the button has changed
 FLAGS = ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--window-size=1280,900")
 
@@ -105,6 +106,12 @@ class Page:
         self.go_to(name)
         self.press(Keys.ENTER)
 
+    def do_next(self, name):
+        """Presses the button that changes its word, once it has had this one for as long as the page asks for."""
+        self.wait(lambda: self.text("#next") == name, f"{name} is offered")
+        time.sleep(SETTLING)
+        self.do(name)
+
     def script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
 
@@ -176,9 +183,10 @@ def operate(page, program):
     page.wait(lambda: f"Release: {name}" in page.script("return [...document.querySelectorAll('#job-list button')].map((b) => b.ariaLabel)"), "a job")
     page.do(f"Release: {name}")
     page.wait(lambda: "released by" in page.text("#job-list"), "the job released")
-    page.do("Reset")
+    page.do_next("Reset")
     page.state("Idle")
     page.wait(lambda: page.text("#next") == "Start", "Start is offered")
+    time.sleep(SETTLING)
     until = time.monotonic() + PATIENCE
     while page.text("#state-name") not in ("Starting", "Printing") and time.monotonic() < until:
         page.do("Start")  # refused until the streamer was heard of
@@ -188,8 +196,7 @@ def operate(page, program):
     page.state("Held")
     check_contrast(page)
     check_telephone(page)
-    page.wait(lambda: page.text("#next") == "Unhold", "Unhold is offered")
-    page.do("Unhold")
+    page.do_next("Unhold")
     page.state("Printing")
     check_dialog(page, "Stop")
     check_dialog(page, "Abort")
@@ -200,7 +207,7 @@ def operate(page, program):
     page.do("Acknowledge alarm 1002")
     page.wait(lambda: "Acknowledge alarm 1002" not in page.script(
         "return [...document.querySelectorAll('#alarm-list button:not([hidden])')].map((b) => b.ariaLabel)"), "the alarm acknowledged")
-    page.do("Clear")
+    page.do_next("Clear")
     page.state("Stopped")
 
 

@@ -331,7 +331,7 @@ TEST_F(LayerHeightMonitorNode, MeasuresTheNextPartOfTheSameToolpath) {
   const std::size_t before = layers_.size();
   send(to_, scan);
   send(to_, test::liftAfter(scan));
-  await([&] { return layers_.size() > before; });
+  await([&] { return layers_.size() > before && counted("profiles of layers") != "0"; });
   ros::Publisher machine = node_->advertise<lamina_msgs::MachineState>(names::kMachineState, 10);
   await([&] { return machine.getNumSubscribers() > 0; });
   lamina_msgs::MachineState state;

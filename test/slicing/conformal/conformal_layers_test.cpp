@@ -53,8 +53,7 @@ TEST(ConformalLayers, WhatLiesBelowOtherMaterialGetsNoCoat) {
   ConformalSettings settings;
   // A plate over half of a block: of the block's top, half is open.
   const Mesh block = test::boxBetween({0, 0, 0}, {20, 10, 5});
-  const ConformalLayers roofed =
-      coat(joined(block, test::boxBetween({0, 0, 8}, {10, 10, 9})), settings, 0.5);
+  const ConformalLayers roofed = coat(joined(block, test::boxBetween({0, 0, 8}, {10, 10, 9})), settings, 0.5);
   const double across_mm2 = 10.0 * settings.longest_edge_mm;  // of faces across the plate's edge
   EXPECT_GE(roofed.hidden_mm2, 100.0 - 1e-6);
   EXPECT_LE(roofed.hidden_mm2, 100.0 + across_mm2);
@@ -70,8 +69,7 @@ TEST(ConformalLayers, WhatLiesBelowOtherMaterialGetsNoCoat) {
 TEST(ConformalLayers, FacesThatAreHiddenInPartAreCoatedUpToThere) {
   ConformalSettings settings;
   settings.longest_edge_mm = 0.5;
-  const Mesh table =
-      joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
+  const Mesh table = joined(test::boxBetween({0, 0, 0}, {20, 10, 5}), test::boxBetween({3, 3, 8}, {7, 7, 9}));
   const ConformalLayers layers = coat(table, settings, 0.5);
   // 16 mm2 lie below the plate; of the faces across its edge, as wide as they are long, none is coated.
   EXPECT_GE(layers.hidden_mm2, 16.0);

@@ -33,6 +33,9 @@ void requireLayersOf(const PartMap& map, const Toolpath& toolpath, const LoopRun
 TaughtPart::TaughtPart(const Toolpath& toolpath, PartIdentity identity, const LoopRunSettings& settings)
     : settings_(settings), identity_(std::move(identity)), layers_(toolpath.layers.size()) {
   if (settings.learned.empty()) return;
+  if (settings.loop.process == LoopProcess::Pressed)
+    throw InvalidInput("loop.learned is '" + settings.learned +
+                       "' with loop.process pressed; expected none: its heights say nothing of amounts");
   before_ = readPartMap(readFile(settings.learned), settings.learned);
   const std::string difference = differenceOf(before_.identity, identity_);
   if (!difference.empty())
