@@ -30,7 +30,7 @@ void printFailure(const Failure& failure, const Counts& counts, OutputFormat for
 
 /// What the parser says, in words for people where it has none.
 std::string messageOf(const CLI::Error& error) {
-  const std::string message = error.what();
+  std::string message = error.what();
   const std::string too_many = ": At Most 1 required but received ";
   const std::size_t at = message.find(too_many);
   if (at == std::string::npos) return message;

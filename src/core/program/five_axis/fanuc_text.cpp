@@ -38,7 +38,7 @@ std::string bracketed(std::string_view comment) {
 
 /// The word as it is, or its number with as many decimals as there is room for.
 std::string withinDigits(std::string_view word) {
-  const std::string text(word);
+  std::string text(word);
   const auto digits = [](const std::string& of) { return std::count_if(of.begin(), of.end(), isDigit); };
   if (digits(text) <= kMostFanucDigits) return text;
   const std::ptrdiff_t whole = digits(text.substr(0, text.find('.')));
