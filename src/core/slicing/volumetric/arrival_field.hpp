@@ -24,6 +24,9 @@ struct GrowthAt {
   Point3 gradient = Point3::UnitZ();
 };
 
+/// Growth that is above the height over the bed by less than this counts as level, in cells: bits are steps.
+constexpr double kLevelCells = 0.01;
+
 /// When growth reaches the nodes of a part: how much nominal layer height has been deposited by then. At each
 /// node the least of all ways through the part from the bed, each as long as `GrowthGauge` says.
 struct ArrivalField {
@@ -31,9 +34,11 @@ struct ArrivalField {
   std::vector<Point3> turn;       ///< where the straight end of the way to the node begins
   std::vector<double> turn_mm;    ///< growth there
   std::vector<char> is_level;     ///< growth is the height over the bed
-  std::size_t stands = 0;         ///< nodes that stand on the bed
-  double contact_mm2 = 0.0;       ///< of the part with the bed
-  double bed_mm = 0.0;            ///< z
+  /// Gradient at the middle of each node, of a field that was fitted (`fittedGrowth`); empty for one of ways.
+  std::vector<Point3> fitted_gradient;
+  std::size_t stands = 0;    ///< nodes that stand on the bed
+  double contact_mm2 = 0.0;  ///< of the part with the bed
+  double bed_mm = 0.0;       ///< z
 
   /// As the way to a node goes on to a place near it, which may lie beside the part.
   GrowthAt near(const Point3& place, std::uint32_t node, const Point3& middle,
