@@ -113,6 +113,9 @@ SettingProbe volumetricProbe() {
            {"volumetric.max_thickness=1.05", "volumetric.overhang_used_deg=10"},
            {"volumetric.max_tilt_deg=2"},
            {"volumetric.sink_mm=1"},
+           {"volumetric.target=smooth"},
+           {"volumetric.rounds=2", "volumetric.target=smooth"},
+           {"volumetric.skin_slope_deg=1", "volumetric.target=surface"},
            {"volumetric.deviation_deg=0", "machine.name=five_axis_head_table;volumetric.overhang_used_deg=0"},
            {"volumetric.largest_pendant_percent=1",
             "volumetric.max_tilt_deg=2;volumetric.largest_unsupported_percent=100;"

@@ -38,6 +38,31 @@ double volumeFilledBy(const std::vector<VolumetricLayer>& layers) {
   return sum;
 }
 
+// A rod that bends over by 70 deg: layers across it tilt nearly as much, those that only support less.
+TEST(VolumetricLayers, LieAcrossABentRodIfAskedTo) {
+  const Mesh rod = makePart(
+      "elbow", {{"radius_mm", "5"}, {"bend_radius_mm", "24"}, {"foot_mm", "4"}, {"angle_deg", "70"}});
+  VolumetricRequest request = usualRequest();
+  EXPECT_LT(grownLayers(rod, request).measures.tilt_deg, 40.0);
+  request.settings.target = GrowthTarget::Tangent;
+  const VolumetricLayers across = grownLayers(rod, request);
+  EXPECT_EQ(across.measures.fitted, 1.0) << across.measures.fit_loss;
+  EXPECT_NEAR(across.measures.tilt_deg, 68.0, 3.0);
+  EXPECT_LT(across.measures.unsupported_mm2, 1e-3 * across.measures.surface_mm2);
+  EXPECT_NEAR(volumeFilledBy(across.layers), volume(rod), 0.02 * volume(rod));
+}
+
+// Layers across a bend of 2 mm about a rod of 4 mm would be far thicker outside than inside.
+TEST(VolumetricLayers, SayWhyAFitIsNotTaken) {
+  const Mesh rod =
+      makePart("elbow", {{"radius_mm", "4"}, {"bend_radius_mm", "5"}, {"foot_mm", "4"}, {"angle_deg", "60"}});
+  VolumetricRequest request = usualRequest();
+  request.settings.target = GrowthTarget::Tangent;
+  const VolumetricMeasures measures = grownLayers(rod, request).measures;
+  EXPECT_LT(measures.fitted, 1.0);
+  EXPECT_NE(measures.fit_loss.find("beyond the bounds of thickness"), std::string::npos) << measures.fit_loss;
+}
+
 // A part that needs none of it gets what `planar` gives.
 TEST(VolumetricLayers, OfABoxAreExactlyLevel) {
   const Mesh box = test::boxBetween({-5, -4, 0}, {5, 4, 6.1});

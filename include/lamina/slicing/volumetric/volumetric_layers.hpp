@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "lamina/base/progress.hpp"
@@ -35,6 +36,8 @@ struct VolumetricMeasures {
   double cell_mm = 0.0;   ///< side of the cells in which growth is computed
   std::size_t nodes = 0;  ///< number of cells; one in which the part is in several pieces counts as many
   double overhang_used_deg = 0.0;  ///< angle used for `VolumetricSettings::overhang_used_deg`
+  double fitted = 0.0;             ///< share of the growth that is fitted to `VolumetricSettings::target`
+  std::string fit_loss;            ///< why no larger share was taken; empty if all of it was
   double contact_mm2 = 0.0;        ///< area of contact with the bed
   /// Angle of the gradient of growth from the vertical, not exceeded in 99.5 % of the volume.
   double tilt_deg = 0.0;

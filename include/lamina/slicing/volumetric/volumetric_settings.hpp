@@ -6,6 +6,11 @@
 
 namespace lamina {
 
+/// What volumetric layers are fitted to. `Arrival`: to nothing; growth is the cost of the cheapest path from
+/// the bed. `Smooth`: to that, smoothed. `Surface`: to skins that face growth. `Tangent`: to lie across the
+/// part, from the bed to its ends.
+enum class GrowthTarget { Arrival, Smooth, Surface, Tangent };
+
 /// How a part is cut into layers of equal growth.
 struct VolumetricSettings {
   double cell_mm = 0.0;  ///< side of the cells in which growth is computed; 0 to derive it from the volume
@@ -18,6 +23,11 @@ struct VolumetricSettings {
   double max_tilt_deg = 80.0;   ///< greatest angle of the direction of growth from the vertical
   double deviation_deg = 55.0;  ///< greatest angle by which the tool axis leans from the layer's normal
   double sink_mm = 0.0;         ///< depth by which the part is sunk into the bed, and cut off there
+  GrowthTarget target = GrowthTarget::Arrival;  ///< what layers are fitted to
+  /// Greatest angle between a skin and the layers of the arrival field at which fitted layers follow the
+  /// skin.
+  double skin_slope_deg = 25.0;
+  int rounds = 8;  ///< number of rounds of the fit
   /// Greatest share of the volume that growth from the bed does not reach before the part is refused.
   double largest_pendant_percent = 0.5;
   /// Greatest share of the surface that overhangs by more than allowed before the part is refused.

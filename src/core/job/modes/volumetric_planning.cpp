@@ -51,6 +51,14 @@ std::string noteOnFilling(const VolumetricMeasures& measures) {
   return text;
 }
 
+std::string noteOnTarget(const VolumetricMeasures& measures) {
+  char text[400];
+  std::snprintf(text, sizeof text, "%.0f %% of the growth is fitted to volumetric.target%s%s",
+                100.0 * measures.fitted,
+                measures.fit_loss.empty() ? "" : "; with more: ", measures.fit_loss.c_str());
+  return text;
+}
+
 void addNotesOnLeftOut(const VolumetricMeasures& measures, std::vector<std::string>& notes) {
   char text[200];
   if (measures.pendant_mm3 > 0.0) {
@@ -127,6 +135,7 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
                                  std::move(hanging)};
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),
                    noteOnHanging(measures, settings.volumetric.max_overhang_deg), noteOnFilling(measures)};
+  if (settings.volumetric.target != GrowthTarget::Arrival) planned.notes.push_back(noteOnTarget(measures));
   planned.notes.push_back(noteOnHead(measures, fit.travels));
   if (fit.hindered > 0) planned.notes.push_back(noteOnFit(fit, deposited_mm3));
   addNotesOnLeftOut(measures, planned.notes);

@@ -14,7 +14,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-12;
 // Of a cell: by so little later than level growth, bits being steps, is level.
-constexpr double kLevelCells = 0.01;
 constexpr std::size_t kReportEvery = 4096;
 
 /// Where the straight end of a way begins.
@@ -255,6 +254,8 @@ class GrowthMarch {
 GrowthAt ArrivalField::near(const Point3& place, std::uint32_t node, const Point3& middle,
                             const GrowthGauge& gauge) const {
   if (is_level[node] != 0) return {place.z() - bed_mm, Point3::UnitZ()};
+  if (!fitted_gradient.empty())
+    return {growth_mm[node] + fitted_gradient[node].dot(place - middle), fitted_gradient[node]};
   const Point3 way = place - turn[node];
   const double cost = gauge.cost(way);
   if (std::isfinite(cost)) return {turn_mm[node] + cost, gauge.gradient(way)};

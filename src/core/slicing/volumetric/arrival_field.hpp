@@ -24,6 +24,9 @@ struct GrowthAt {
   Point3 gradient = Point3::UnitZ();
 };
 
+/// Height in cells below which growth above the height over the bed counts as level, since bits are steps.
+constexpr double kLevelCells = 0.01;
+
 /// Growth at each node of a part: the nominal layer height deposited until the node is reached. It is the
 /// least cost of all ways through the part from the bed to the node, as `GrowthGauge` measures them.
 struct ArrivalField {
@@ -31,9 +34,11 @@ struct ArrivalField {
   std::vector<Point3> turn;       ///< point at which the last straight piece of the way to the node begins
   std::vector<double> turn_mm;    ///< growth at that point
   std::vector<char> is_level;     ///< whether growth at the node equals the height above the bed
-  std::size_t stands = 0;         ///< number of nodes that stand on the bed
-  double contact_mm2 = 0.0;       ///< area of contact with the bed
-  double bed_mm = 0.0;            ///< z of the bed
+  /// Gradient at the middle of each node, of a field that was fitted (`fittedGrowth`); empty for one of ways.
+  std::vector<Point3> fitted_gradient;
+  std::size_t stands = 0;    ///< number of nodes that stand on the bed
+  double contact_mm2 = 0.0;  ///< area of contact with the bed
+  double bed_mm = 0.0;       ///< z of the bed
 
   /// Growth at a place near a node, which may lie beside the part: as if the way to the node continued to the
   /// place.

@@ -3,15 +3,18 @@
 #include "slicing/volumetric/grown_part.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
+#include "slicing/volumetric/growth_fit.hpp"
 
 namespace lamina {
 namespace {
@@ -26,7 +29,10 @@ constexpr double kMuchUnsupported = 2.0;     // % of the surface
 constexpr double kNodesAimedAt = 500'000.0;  // in cells chosen by the part's volume
 constexpr double kMostNodes = 4'000'000.0;
 constexpr double kLargestCellMm = 1.0;
-constexpr double kLeastBeads = 2.0 / 3.0;  // of a cell so chosen, in bead widths
+constexpr std::array<double, 3> kShares = {1.0, 0.5, 0.25};  // of a fit
+constexpr double kMoreUnsupported = 0.1;                     // % of the surface, by a fit
+constexpr double kBeyondThickness = 0.005;                   // of the volume
+constexpr double kLeastBeads = 2.0 / 3.0;                    // of a cell so chosen, in bead widths
 
 double cellFor(double volume_mm3, const VolumetricRequest& request) {
   if (request.settings.cell_mm > 0.0) return request.settings.cell_mm;
@@ -61,52 +67,104 @@ HangingSurface hangingFrom(const GrownPart& part, Progress& progress) {
       progress);
 }
 
-GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest& request,
-                  Progress& progress) {
-  const VolumetricSettings& settings = request.settings;
-  const double bed = boundingBox(mesh).low.z() + settings.sink_mm;
-  CellGraph cells(mesh, cellFor(volume(mesh), request), bed, progress);
-  const GrowthGauge gauge({overhang_rad, settings.max_thickness, toRadians(settings.max_tilt_deg)});
-  ArrivalField field =
-      arrivalField(cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
-  GrownPart part{mesh,    request,
-                 bed,     overhang_rad,
-                 gauge,   std::make_shared<const GrownCells>(std::move(cells), std::move(field)),
-                 nullptr, {},
-                 nullptr, nullptr};
-  requireStanding(part);
-  part.lattice = std::make_shared<const GrowthLattice>(part.cells(), part.field(), gauge, progress);
+GrowthLimits limitsOf(double overhang_rad, const VolumetricSettings& settings) {
+  return {overhang_rad, settings.max_thickness, toRadians(settings.max_tilt_deg)};
+}
+
+/// With what the growth of a part does to surface and head.
+GrownPart measured(GrownPart part, Progress& progress) {
+  const VolumetricRequest& request = part.request;
+  part.lattice = std::make_shared<const GrowthLattice>(part.cells(), part.field(), part.gauge, progress);
   part.hanging = hangingFrom(part, progress);
-  part.room = std::make_shared<const HeadRoom>(part.grown, request.head, bed);
+  part.room = std::make_shared<const HeadRoom>(part.grown, request.head, part.bed_mm);
   if (request.head.empty()) return part;
-  const LeanQuestion question{toRadians(settings.deviation_deg), request.slicing.layer_height_mm};
+  const LeanQuestion question{toRadians(request.settings.deviation_deg), request.slicing.layer_height_mm};
   part.lean = std::make_shared<const HeadLean>(part.cells(), *part.lattice, *part.room, question, progress);
   return part;
 }
 
+GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest& request,
+                  Progress& progress) {
+  const VolumetricSettings& settings = request.settings;
+  const double bed = boundingBox(mesh).low.z() + settings.sink_mm;
+  auto cells = std::make_shared<const CellGraph>(mesh, cellFor(volume(mesh), request), bed, progress);
+  const GrowthGauge gauge(limitsOf(overhang_rad, settings));
+  ArrivalField field =
+      arrivalField(*cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
+  GrownPart part{
+      mesh,         request, bed,
+      overhang_rad, gauge,   std::make_shared<const GrownCells>(std::move(cells), std::move(field)),
+      nullptr,      {},      nullptr,
+      nullptr,      0.0,     {}};
+  requireStanding(part);
+  return measured(std::move(part), progress);
+}
+
+std::string percentText(double percent) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f %%", percent);
+  return text;
+}
+
+/// In what a fitted growth prints worse than that it was fitted from; empty if in nothing.
+std::string lossBy(const GrownPart& fitted, const GrownPart& arrived) {
+  const double most_unsupported = arrived.unsupportedPercent() + kMoreUnsupported;
+  if (fitted.unsupportedPercent() > most_unsupported)
+    return percentText(fitted.unsupportedPercent()) + " of the surface unsupported, expected at most " +
+           percentText(most_unsupported);
+  const double max_thickness = arrived.request.settings.max_thickness;
+  const auto beyond = [&](const GrownPart& part) {
+    return grownThickness(part.cells(), *part.lattice, max_thickness).beyond;
+  };
+  const double most_beyond = std::max(kBeyondThickness, beyond(arrived));
+  if (const double share = beyond(fitted); share > most_beyond)
+    return percentText(100.0 * share) + " of the volume beyond the bounds of thickness, expected at most " +
+           percentText(100.0 * most_beyond);
+  const auto minima = [](const GrownPart& part) {
+    return growthMinima(part.cells(), *part.lattice, part.bed_mm);
+  };
+  if (const std::size_t count = minima(fitted); count > minima(arrived))
+    return std::to_string(count) + " cells that grow before their neighbours, expected at most " +
+           std::to_string(minima(arrived));
+  const double most_shut = std::max(kMuchShut, arrived.shut());
+  if (fitted.shut() > most_shut)
+    return "no room for the head in " + percentText(100.0 * fitted.shut()) +
+           " of the volume, expected at most " + percentText(100.0 * most_shut);
+  return {};
+}
+
+GrownPart fitted(GrownPart arrived, Progress& progress) {
+  const VolumetricRequest& request = arrived.request;
+  const VolumetricSettings& settings = request.settings;
+  if (settings.target == GrowthTarget::Arrival) return arrived;
+  const ArrivedGrowth growth{arrived.cells(), arrived.field(), arrived.gauge};
+  const ArrivalField fit = fittedGrowth(
+      arrived.mesh, growth,
+      {settings.target, limitsOf(arrived.overhang_rad, settings), toRadians(settings.skin_slope_deg),
+       request.slicing.first_layer_height_mm, settings.rounds},
+      progress);
+  const auto fittedBy = [&](double share) {
+    GrownPart part = arrived;
+    part.grown = std::make_shared<const GrownCells>(arrived.grown->cells, blendedGrowth(growth, fit, share));
+    part.fitted = share;
+    return measured(std::move(part), progress);
+  };
+  for (const double share : kShares) {
+    GrownPart part = fittedBy(share);
+    std::string loss = lossBy(part, arrived);
+    if (loss.empty()) {
+      part.fit_loss = std::move(arrived.fit_loss);
+      return part;
+    }
+    arrived.fit_loss = std::move(loss);
+  }
+  return arrived;
+}
+
 GrowthLoss lossOf(const GrownPart& part) { return {part.hanging.grown_mm2, pendantOf(part).volume_mm3}; }
 
-}  // namespace
-
-bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm) {
-  const double gained_mm2 = best.unsupported_mm2 - next.unsupported_mm2;
-  const double lost_mm3 = next.pendant_mm3 - best.pendant_mm3;
-  return gained_mm2 > 0.0 && lost_mm3 <= layer_height_mm * gained_mm2;
-}
-
-Pendant pendantOf(const GrownPart& part) {
-  Pendant pendant;
-  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
-    const double volume = part.cells().volume(node);
-    pendant.whole_mm3 += volume;
-    if (std::isfinite(part.field().growth_mm[node])) continue;
-    pendant.volume_mm3 += volume;
-    if (part.cells().middle(node).z() < pendant.lowest.z()) pendant.lowest = part.cells().middle(node);
-  }
-  return pendant;
-}
-
-GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
+/// Grown by the overhang that is stated, or that suits surface and head.
+GrownPart arrivedPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
   const VolumetricSettings& settings = request.settings;
   const auto usable = [&](double asked_deg) {
     return overhangWithin(toRadians(std::max(0.0, asked_deg)), settings.max_thickness);
@@ -137,6 +195,30 @@ GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress
     if (!is_shut || next.shut() < best->shut()) best.emplace(std::move(next));
   }
   return std::move(*best);
+}
+
+}  // namespace
+
+bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm) {
+  const double gained_mm2 = best.unsupported_mm2 - next.unsupported_mm2;
+  const double lost_mm3 = next.pendant_mm3 - best.pendant_mm3;
+  return gained_mm2 > 0.0 && lost_mm3 <= layer_height_mm * gained_mm2;
+}
+
+Pendant pendantOf(const GrownPart& part) {
+  Pendant pendant;
+  for (std::uint32_t node = 0; node < part.cells().nodeCount(); ++node) {
+    const double volume = part.cells().volume(node);
+    pendant.whole_mm3 += volume;
+    if (std::isfinite(part.field().growth_mm[node])) continue;
+    pendant.volume_mm3 += volume;
+    if (part.cells().middle(node).z() < pendant.lowest.z()) pendant.lowest = part.cells().middle(node);
+  }
+  return pendant;
+}
+
+GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress) {
+  return fitted(arrivedPart(mesh, request, progress), progress);
 }
 
 }  // namespace lamina

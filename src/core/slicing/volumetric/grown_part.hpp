@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "lamina/base/progress.hpp"
 #include "lamina/slicing/volumetric/volumetric_layers.hpp"
@@ -16,14 +17,15 @@ namespace lamina {
 
 /// The cells of a part, and the growth at which each is reached.
 struct GrownCells final : HeadRoom::Growth {
-  GrownCells(CellGraph graph, ArrivalField arrival) : cells(std::move(graph)), field(std::move(arrival)) {}
+  GrownCells(std::shared_ptr<const CellGraph> graph, ArrivalField arrival)
+      : cells(std::move(graph)), field(std::move(arrival)) {}
 
   double at(const Point3& place) const override {
-    const std::uint32_t node = cells.nodeAt(place);
+    const std::uint32_t node = cells->nodeAt(place);
     return node == CellGraph::kNone ? std::numeric_limits<double>::infinity() : field.growth_mm[node];
   }
 
-  CellGraph cells;
+  std::shared_ptr<const CellGraph> cells;
   ArrivalField field;
 };
 
@@ -39,8 +41,10 @@ struct GrownPart {
   HangingSurface hanging;
   std::shared_ptr<const HeadRoom> room;
   std::shared_ptr<const HeadLean> lean;  ///< nothing if no head is given
+  double fitted = 0.0;                   ///< share of the fitted growth in it, within [0, 1]
+  std::string fit_loss;  ///< why the next larger share of the fit was not taken; empty if all was
 
-  const CellGraph& cells() const { return grown->cells; }
+  const CellGraph& cells() const { return *grown->cells; }
   const ArrivalField& field() const { return grown->field; }
   double unsupportedPercent() const { return 100.0 * hanging.grown_mm2 / hanging.surface_mm2; }
   /// Share of the volume in which the head cannot avoid a collision by any lean.
@@ -69,13 +73,19 @@ struct GrowthLoss {
 /// that is supported instead.
 bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm);
 
-/// Grows a part by the overhang that `overhang_used_deg` states. If that is not set, growth starts with 20
-/// deg less than the material allows and is varied in steps of 2.5 deg.
-/// It uses more overhang if the head has no room between fronts that meet, as they then meet at a wider
-/// angle; as long as that makes room, thickness allows it, and no more surface is left unsupported than is
-/// allowed.
-/// It uses less if much surface is left unsupported; as long as that surface shrinks, the head has room, and
-/// the additional pendant volume is at most one layer over the surface that is supported instead.
+/// Grows a part, and fits its growth to `VolumetricSettings::target`. The share of the fitted growth is the
+/// largest of 1, 1/2, 1/4 and 0 with which
+/// - at most 0.1 % of the surface is left unsupported in addition,
+/// - growth has no more minima,
+/// - at most 0.5 % of the volume is beyond the bounds of thickness, or no more than without the fit,
+/// - the head is clear in 99 % of the volume, or in as much as without the fit.
+///
+/// The part grows with the overhang that `overhang_used_deg` states. If that is not set, growth starts with
+/// 20 deg less than the material allows and is varied in steps of 2.5 deg. It uses more overhang if the head
+/// has no room between fronts that meet, as they then meet at a wider angle; as long as that makes room,
+/// thickness allows it, and no more surface is left unsupported than is allowed. It uses less if much surface
+/// is left unsupported; as long as that surface shrinks, the head has room, and the additional pendant volume
+/// is at most one layer over the surface that is supported instead.
 /// @throws Unsliceable if the part does not stand on the bed; Cancelled
 GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress);
 

@@ -11,6 +11,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
+#include "slicing/volumetric/skin_samples.hpp"
 
 namespace lamina {
 namespace {
@@ -18,51 +19,6 @@ namespace {
 constexpr std::size_t kBlockOfTriangles = 1024;
 constexpr double kBeyond = 0.02;
 constexpr double kMeeting = 0.9;  // cosine between neighbours' directions, below which fronts meet
-
-/// Calls visit(part, middle, area) for parts of a triangle whose edges are at most `longest_mm`.
-template <class Visit>
-void visitParts(const std::array<Point3, 3>& corner, double longest_mm, const Visit& visit) {
-  std::size_t longest = 0;
-  std::array<double, 3> length{};
-  for (std::size_t side = 0; side < 3; ++side) {
-    length[side] = (corner[(side + 1) % 3] - corner[side]).norm();
-    if (length[side] > length[longest]) longest = side;
-  }
-  if (length[longest] <= longest_mm) {
-    const double area = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
-    return visit(corner, Point3((corner[0] + corner[1] + corner[2]) / 3.0), area);
-  }
-  const Point3 middle = 0.5 * (corner[longest] + corner[(longest + 1) % 3]);
-  std::array<Point3, 3> part = corner;
-  part[(longest + 1) % 3] = middle;
-  visitParts(part, longest_mm, visit);
-  part = corner;
-  part[longest] = middle;
-  visitParts(part, longest_mm, visit);
-}
-
-/// The node below a place of the surface, or the nearest around there.
-std::uint32_t nodeBelow(const CellGraph& cells, const Point3& place, const Point3& normal) {
-  const double cell = cells.frame().voxel_mm;
-  const Point3 inner = place - 0.25 * cell * normal;
-  const std::uint32_t there = cells.nodeAt(inner);
-  if (there != CellGraph::kNone) return there;
-  const Point3 at = (inner - cells.frame().corner) / cell;
-  std::uint32_t nearest = CellGraph::kNone;
-  double least = std::numeric_limits<double>::infinity();
-  for (int near = 0; near < 27; ++near) {
-    const auto [first, last] =
-        cells.nodesIn({static_cast<int>(at.x()) + near % 3 - 1, static_cast<int>(at.y()) + near / 3 % 3 - 1,
-                       static_cast<int>(at.z()) + near / 9 - 1});
-    for (std::uint32_t node = first; node < last; ++node) {
-      const double squared = (cells.middle(node) - inner).squaredNorm();
-      if (squared >= least) continue;
-      least = squared;
-      nearest = node;
-    }
-  }
-  return nearest;
-}
 
 /// Growth at a place of the surface as the layers have it: in the cube around it that joins the node below
 /// it.

@@ -112,6 +112,8 @@ void measureField(const GrownPart& part, VolumetricMeasures& measures) {
   const GrowthLattice& lattice = *part.lattice;
   measures.cell_mm = part.cells().frame().voxel_mm;
   measures.nodes = part.cells().nodeCount();
+  measures.fitted = part.fitted;
+  measures.fit_loss = part.fit_loss;
   measures.overhang_used_deg = toDegrees(part.overhang_rad);
   measures.contact_mm2 = part.field().contact_mm2;
   const Pendant pendant = pendantOf(part);

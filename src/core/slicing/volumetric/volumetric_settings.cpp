@@ -28,6 +28,18 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
       "How far the tool axis may lean from a layer's normal towards upright, so that the head is clear.");
   schema.number("volumetric.sink_mm", settings.sink_mm, {0.0, 100.0},
                 "How far the part is sunk into the bed, and cut there, so that it stands.");
+  schema.choice<GrowthTarget>(
+      "volumetric.target", settings.target,
+      {{"arrival", GrowthTarget::Arrival},
+       {"smooth", GrowthTarget::Smooth},
+       {"surface", GrowthTarget::Surface},
+       {"tangent", GrowthTarget::Tangent}},
+      "What volumetric layers are fitted to: nothing, smooth layers, upper skins, or the "
+      "way along the part.");
+  schema.number(
+      "volumetric.skin_slope_deg", settings.skin_slope_deg, {0.0, 60.0},
+      "Angle of a skin from the layers below it, up to which layers fitted to the surface follow it.");
+  schema.integer("volumetric.rounds", settings.rounds, {1, 50}, "Rounds of the fit of volumetric layers.");
   schema.number("volumetric.largest_pendant_percent", settings.largest_pendant_percent, {0.0, 100.0},
                 "Of the part's volume: how much may hang where no layer leads before it is refused.");
   schema.number("volumetric.largest_unsupported_percent", settings.largest_unsupported_percent, {0.0, 100.0},

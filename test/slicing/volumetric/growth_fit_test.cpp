@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slicing/volumetric/growth_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lamina/base/angle.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+#include "support/grown_parts.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr GrowthLimits kFitLimits{0.5, 2.0, 1.7};
+
+struct Fitted {
+  CellGraph cells;
+  ArrivalField arrival;
+  ArrivalField field;
+};
+
+Fitted fitted(const Mesh& mesh, double cell_mm, GrowthTarget target, double skin_slope_deg = 25.0) {
+  NoProgress progress;
+  CellGraph cells(mesh, cell_mm, 0.0, progress);
+  const GrowthGauge gauge(kFitLimits);
+  ArrivalField arrival = arrivalField(cells, gauge, {0.0, 0.1}, progress);
+  ArrivalField field = fittedGrowth(mesh, {cells, arrival, gauge},
+                                    {target, kFitLimits, toRadians(skin_slope_deg), 0.2, 8}, progress);
+  return {std::move(cells), std::move(arrival), std::move(field)};
+}
+
+/// Calls visit(place, growth, gradient) at nodes.
+template <class Visit>
+void visitNodes(const Fitted& part, const Visit& visit) {
+  for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node)
+    visit(part.cells.middle(node), part.field.growth_mm[node], part.field.fitted_gradient[node]);
+}
+
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    count_ += 1.0;
+  }
+  double mean() const { return sum_ / count_; }
+
+ private:
+  double sum_ = 0.0;
+  double count_ = 0.0;
+};
+
+TEST(GrowthFit, LeavesLevelGrowthAsItIs) {
+  for (const GrowthTarget target : {GrowthTarget::Smooth, GrowthTarget::Surface, GrowthTarget::Tangent}) {
+    const Fitted part = fitted(test::boxBetween({0, 0, 0}, {10.3, 8, 12}), 0.7, target);
+    SCOPED_TRACE(static_cast<int>(target));
+    visitNodes(part, [](const Point3& place, double growth, const Point3& gradient) {
+      EXPECT_NEAR(growth, place.z(), 1e-9);
+      EXPECT_LT((gradient - Point3::UnitZ()).norm(), 1e-5)
+          << place.transpose() << " g " << gradient.transpose();
+    });
+    EXPECT_EQ(std::count(part.field.is_level.begin(), part.field.is_level.end(), 0), 0);
+  }
+}
+
+// A quarter of a torus, R = 30 mm and r = 10 mm, that stands on one end. About the axis of the bend growth is
+// proportional to the angle, and the length of its gradient to 1 / distance.
+TEST(GrowthFit, CrossesABentTubeByPlanesThroughTheAxisOfItsBend) {
+  const Mesh tube = makePart("elbow", {{"radius_mm", "10"}, {"bend_radius_mm", "30"}, {"foot_mm", "0.001"}});
+  const Fitted part = fitted(tube, 1.0, GrowthTarget::Tangent);
+  double error_deg = 0.0;
+  double slope_mm = 0.0;
+  double nodes = 0.0;
+  Mean inner;
+  Mean outer;
+  for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node) {
+    if (part.cells.links(node).size() < 26) continue;  // half a cell of error at the skin
+    const Point3& place = part.cells.middle(node);
+    const Point3& gradient = part.field.fitted_gradient[node];
+    const Point3 from_axis = place - Point3(30.0, place.y(), 0.0);
+    const double angle = std::atan2(place.z(), 30.0 - place.x());
+    if (angle < toRadians(15.0) || angle > toRadians(75.0)) continue;
+    const Point3 tangent = Point3::UnitY().cross(from_axis).normalized();
+    error_deg += toDegrees(std::acos(std::min(1.0, gradient.normalized().dot(tangent))));
+    slope_mm += gradient.norm() * from_axis.norm();
+    nodes += 1.0;
+    if (std::abs(from_axis.norm() - 22.0) < 1.0) inner.add(gradient.norm());
+    if (std::abs(from_axis.norm() - 38.0) < 1.0) outer.add(gradient.norm());
+  }
+  EXPECT_LT(error_deg / nodes, 1.0);
+  EXPECT_NEAR(outer.mean() / inner.mean(), 22.0 / 38.0, 0.02);
+  // The innermost layers are as thin as they may be, but for 0.5 % of the volume.
+  EXPECT_NEAR(slope_mm / nodes, 20.5, 0.5);
+}
+
+// A block whose top is a cylinder of 60 mm about y: it slopes by up to 14.5 deg.
+TEST(GrowthFit, FollowsAVaultedSkin) {
+  Region profile;
+  profile.outer = {{-15, 0}, {15, 0}};
+  for (int i = 0; i <= 30; ++i) {
+    const double x = 15.0 - i;
+    profile.outer.push_back({x, 10.0 + std::sqrt(60.0 * 60.0 - x * x) - 60.0});
+  }
+  const Mesh block = test::lyingPrism(profile, 10.0);
+  const auto meanSlip = [&](const Fitted& part) {
+    double sum = 0.0;
+    double nodes = 0.0;
+    visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
+      const Point3 normal = Point3(place.x(), 0.0, place.z() + 50.0);
+      if (normal.norm() < 59.6 || std::abs(place.x()) < 6.0 || std::abs(place.x()) > 12.0) return;
+      sum += toDegrees(std::acos(std::min(1.0, gradient.normalized().dot(normal.normalized()))));
+      nodes += 1.0;
+    });
+    return sum / nodes;
+  };
+  EXPECT_NEAR(meanSlip(fitted(block, 0.5, GrowthTarget::Smooth)), 8.6, 0.2);
+  EXPECT_LT(meanSlip(fitted(block, 0.5, GrowthTarget::Surface)), 2.0);
+  // Too steep to be followed but at the crown.
+  EXPECT_GT(meanSlip(fitted(block, 0.5, GrowthTarget::Surface, 3.0)), 6.0);
+}
+
+TEST(GrowthFit, SmoothsTheBendsOfAT) {
+  const Fitted part = fitted(test::tShape(), 0.5, GrowthTarget::Smooth);
+  const auto roughness = [&](const auto& gradientOf) {
+    double sum = 0.0;
+    for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node)
+      for (const std::uint32_t near : part.cells.links(node))
+        sum += (gradientOf(node) - gradientOf(near)).squaredNorm();
+    return sum;
+  };
+  const GrowthGauge gauge(kFitLimits);
+  const double arrived = roughness([&](std::uint32_t node) {
+    const Point3& middle = part.cells.middle(node);
+    return part.arrival.near(middle, node, middle, gauge).gradient;
+  });
+  const double smooth = roughness([&](std::uint32_t node) { return part.field.fitted_gradient[node]; });
+  EXPECT_LT(smooth, 0.75 * arrived);
+}
+
+TEST(GrowthFit, BlendsFromTheArrivalToTheFit) {
+  const Fitted part = fitted(test::tShape(), 1.0, GrowthTarget::Smooth);
+  const GrowthGauge gauge(kFitLimits);
+  const ArrivedGrowth arrived{part.cells, part.arrival, gauge};
+  const ArrivalField none = blendedGrowth(arrived, part.field, 0.0);
+  const ArrivalField half = blendedGrowth(arrived, part.field, 0.5);
+  const ArrivalField all = blendedGrowth(arrived, part.field, 1.0);
+  for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node) {
+    EXPECT_NEAR(none.growth_mm[node], part.arrival.growth_mm[node], 1e-12);
+    EXPECT_NEAR(half.growth_mm[node], 0.5 * (part.arrival.growth_mm[node] + part.field.growth_mm[node]),
+                1e-12);
+    EXPECT_EQ(all.growth_mm[node], part.field.growth_mm[node]);
+  }
+}
+
+}  // namespace
+}  // namespace lamina
