@@ -100,9 +100,10 @@ GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest
   return measured(std::move(part), progress);
 }
 
-std::string percentText(double percent) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f %%", percent);
+std::string excessText(const char* what, double percent, double most_percent) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.2f %% of the %s, expected at most %.2f %%", percent, what,
+                most_percent);
   return text;
 }
 
@@ -110,16 +111,14 @@ std::string percentText(double percent) {
 std::string lossBy(const GrownPart& fitted, const GrownPart& arrived) {
   const double most_unsupported = arrived.unsupportedPercent() + kMoreUnsupported;
   if (fitted.unsupportedPercent() > most_unsupported)
-    return percentText(fitted.unsupportedPercent()) + " of the surface unsupported, expected at most " +
-           percentText(most_unsupported);
+    return excessText("surface unsupported", fitted.unsupportedPercent(), most_unsupported);
   const double max_thickness = arrived.request.settings.max_thickness;
   const auto beyond = [&](const GrownPart& part) {
     return grownThickness(part.cells(), *part.lattice, max_thickness).beyond;
   };
   const double most_beyond = std::max(kBeyondThickness, beyond(arrived));
   if (const double share = beyond(fitted); share > most_beyond)
-    return percentText(100.0 * share) + " of the volume beyond the bounds of thickness, expected at most " +
-           percentText(100.0 * most_beyond);
+    return excessText("volume beyond the bounds of thickness", 100.0 * share, 100.0 * most_beyond);
   const auto minima = [](const GrownPart& part) {
     return growthMinima(part.cells(), *part.lattice, part.bed_mm);
   };
@@ -128,8 +127,7 @@ std::string lossBy(const GrownPart& fitted, const GrownPart& arrived) {
            std::to_string(minima(arrived));
   const double most_shut = std::max(kMuchShut, arrived.shut());
   if (fitted.shut() > most_shut)
-    return "no room for the head in " + percentText(100.0 * fitted.shut()) +
-           " of the volume, expected at most " + percentText(100.0 * most_shut);
+    return excessText("volume without room for the head", 100.0 * fitted.shut(), 100.0 * most_shut);
   return {};
 }
 
