@@ -13,6 +13,8 @@ namespace lamina {
 namespace {
 
 constexpr double kFinest = 0.5;  // bead widths, from the middle of a patch to its corners
+constexpr double kOverlap =
+    1.02;  // of patches, over their size: without it rounding parts neighbours by slivers
 
 /// A place in the middle of a layer.
 struct SeenPlace {
@@ -102,7 +104,10 @@ class SeenPatches {
   }
 
   void look(const SeenPlace& middle, const Patch& patch) {
-    const Polygon outline = {patch[0].plan, patch[1].plan, patch[2].plan};
+    Polygon outline;
+    outline.reserve(patch.size());
+    for (const SeenPlace& corner : patch)
+      outline.push_back(middle.plan + kOverlap * (corner.plan - middle.plan));
     const bool ends_above = reach_.above > 0 && !goesOn(middle, 1.0);
     const bool ends_below = reach_.below > 0 && !goesOn(middle, -1.0);
     if (ends_above) from_above.push_back(outline);

@@ -109,7 +109,7 @@ Point3 atAngle(const Point3& direction, const Point3& from, double angle_rad) {
 /// Solves by conjugate gradients; the matrix holds its lower triangle.
 class PoissonSolver {
  public:
-  explicit PoissonSolver(Matrix matrix) : matrix_(std::move(matrix)) {
+  explicit PoissonSolver(const Matrix& matrix) : matrix_(matrix) {
     solver_.setTolerance(kResidual);
     solver_.setMaxIterations(kIterations);
     solver_.compute(matrix_);
