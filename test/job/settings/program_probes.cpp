@@ -132,6 +132,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"robot_program.corner_mm=1"},
                       {"robot_program.joint_speed_percent=20"},
                       {"robot_program.dry_flag=3"},
+                      {"robot_program.dry_speed_percent=20", {"robot_program.dry_flag=3"}},
                       {"robot_program.process_output=2"},
                       {"robot_program.process_lead_s=1"},
                       {"robot_program.process_end_s=1"},

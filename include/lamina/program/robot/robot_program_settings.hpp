@@ -142,6 +142,8 @@ struct RobotProgramSettings {
   double joint_speed_percent = 10.0;
   /// Number of the variable on the controller with which a program runs without its process; 0 for none.
   int dry_flag = 0;
+  /// Speed of a dry run by that variable, in percent of the program's speeds; 100 for these.
+  double dry_speed_percent = 100.0;
   int process_output = 1;       ///< number of the digital output that is on while material is deposited
   double process_lead_s = 0.0;  ///< wait between process on and the move
   double process_end_s = 0.0;   ///< wait between process off and the next move

@@ -51,6 +51,7 @@ int turnNumber(double degrees) { return static_cast<int>(std::floor((degrees + 1
 class FanucPrinter : public RobotPrinter {
  public:
   explicit FanucPrinter(const RobotSite& site) : site_(site) {
+    requireNoDrySpeed(site.settings, RobotLanguage::Fanuc);
     for (const JointKind kind : site.external) (kind == JointKind::Linear ? rails_ : turns_) += 1;
   }
 

@@ -158,6 +158,11 @@ class RobotRun {
       running_.equipment.process.insert("dry run by variable " + std::to_string(notedOutput(words)));
       return true;
     }
+    if (words.take(kDrySpeedNote)) {
+      const double percent = boundedNumber(words, 100.0, "the speed of a dry run in percent");
+      running_.equipment.process.insert("dry run at " + shortestText(percent) + " % of the speed");
+      return true;
+    }
     if (words.take("joints")) return head.map = notedMap(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {
