@@ -96,6 +96,7 @@ class RobotRun {
 
   void run(const RobotScriptFile& file) {
     file_ = &file.name;
+    running_.files.push_back(file.name);
     passage_ = Passage::None;
     for (const ReadStatement& statement : file.statements) {
       line_ = statement.line;
@@ -212,7 +213,7 @@ class RobotRun {
     StatedEquipment& equipment = running_.equipment;
     if (running_.moves.empty()) equipment.external = move.external;
     equipment.moves_external |= equipment.external != move.external;
-    running_.moves.push_back({move.external, line_});
+    running_.moves.push_back({move.external, line_, running_.files.size() - 1});
   }
 
   void requireOff(const char* where) const {
