@@ -100,6 +100,7 @@ struct FanucSettings {
   bool is_coordinated = true;  ///< whether motions over a bed that a positioner turns are written as COORD
   int positioner_frame = 1;    ///< number of the frame of group 2, the positioner
   int positioner_tool = 1;     ///< number of the tool of group 2
+  int payload = 0;             ///< number of the payload on the controller that is chosen; 0 for none
 };
 
 enum class InformSpeedUnit : std::uint8_t { MillimetresPerSecond, CentimetresPerMinute };

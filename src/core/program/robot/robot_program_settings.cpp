@@ -105,6 +105,9 @@ void describeFanuc(SettingsSchema& schema, FanucSettings& settings) {
                  "Number of the user frame of group 2, the positioner.");
   schema.integer("fanuc.positioner_tool", settings.positioner_tool, {0, 99},
                  "Number of the tool of group 2, the positioner.");
+  schema.integer("fanuc.payload", settings.payload, {0, 10},
+                 "Payload on the controller that a listing chooses with its tool, PAYLOAD[n]; 0 for the one "
+                 "that the controller has.");
 }
 
 void describeInform(SettingsSchema& schema, InformSettings& settings) {

@@ -73,6 +73,8 @@ class FanucPrinter : public RobotPrinter {
     if (points_ > 0) {
       lines.push_back("  UFRAME_NUM=" + std::to_string(site_.settings.frame_number));
       lines.push_back("  UTOOL_NUM=" + std::to_string(site_.settings.tool_number));
+      const int payload = site_.settings.fanuc.payload;
+      if (payload > 0) lines.push_back("  PAYLOAD[" + std::to_string(payload) + "]");
     }
     lines.insert(lines.end(), lines_.begin(), lines_.end());
     std::string text = attributes(head, lines.size()) + "/MN\n";
