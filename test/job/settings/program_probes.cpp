@@ -104,6 +104,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.loading=in_turn", "rapid.max_points=20"},
            {"rapid.process=arc"},
            {"rapid.dry_flag=true"},
+           {"rapid.dry_speed_percent=20", "rapid.dry_flag=true"},
            {"rapid.seam_data=seam2", "rapid.process=arc"},
            {"rapid.weld_data=weld2", "rapid.process=arc"},
            {"rapid.weave_data=weave1", "rapid.process=arc"}}};

@@ -205,6 +205,30 @@ TEST(RapidDryFlag, PassesOverTheWaitForALaserThatIsNotAskedFor) {
       InvalidProgram);
 }
 
+TEST(RapidDryFlag, MayGoWithASpeedOfItsOwn) {
+  for (const RapidVariant variant : {RapidVariant::Powder5Axes, RapidVariant::Wire3Axes}) {
+    RapidSettings settings;
+    settings.variant = variant;
+    settings.has_dry_flag = true;
+    const std::string plain = test::rapidModules(test::twoLayers(), settings)[0];
+    settings.dry_speed_percent = 20.0;
+    const std::string text = test::rapidModules(test::twoLayers(), settings)[0];
+    EXPECT_EQ(timesIn(text, "  PROC main()\n    IF lamina_dry VelSet 20,5000;\n"), 1U) << text;
+    EXPECT_EQ(timesIn(text, "    IF lamina_dry VelSet 100,5000;\n  ENDPROC\n"), 1U) << text;
+    const auto read = readEquippedRapid({{"a.mod", text}}, "part");
+    const auto read_plain = readEquippedRapid({{"a.mod", plain}}, "part");
+    EXPECT_EQ(toolpathId(read.toolpath), toolpathId(read_plain.toolpath));
+    EXPECT_EQ(read.equipment.process.count("dry run at 20 % of the speed"), 1U);
+    EXPECT_EQ(read_plain.equipment.process.count("dry run at 20 % of the speed"), 0U);
+    EXPECT_THROW(
+        readRapid({{"a.mod", replacedIn(text, "IF lamina_dry VelSet 20,5000", "IF lamina_dry Set DO1")}},
+                  "part"),
+        InvalidProgram);
+    settings.has_dry_flag = false;
+    EXPECT_THROW(checkedRapidSettings(settings), InvalidConfig);
+  }
+}
+
 TEST(RapidDryFlag, IsRefusedWithArcs) {
   RapidSettings settings;
   settings.has_dry_flag = true;
