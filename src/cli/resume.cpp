@@ -24,6 +24,7 @@ struct ResumeArguments {
   std::string output;
   std::string port;  ///< whose last job is to be reported; empty to write the rest
   std::optional<std::uint64_t> line;
+  std::string file;  ///< of a robot's program, that has the line
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;
   std::optional<double> nozzle_height_mm;
@@ -80,6 +81,7 @@ void resumeOnRobot(const ResumeArguments& arguments, OutputFormat format) {
                arguments.output,
                arguments.machine,
                arguments.line,
+               arguments.file,
                arguments.layer,
                arguments.height_mm,
                {"", arguments.settings}},
@@ -89,6 +91,9 @@ void resumeOnRobot(const ResumeArguments& arguments, OutputFormat format) {
 void runResume(const ResumeArguments& arguments, OutputFormat format) {
   if (!arguments.port.empty()) return showOffer(arguments, format);
   if (isRobotFile(arguments.program)) return resumeOnRobot(arguments, format);
+  if (!arguments.file.empty())
+    throw InvalidInput("--of-file is " + arguments.file + " with " + arguments.program +
+                       "; expected it with the program of a robot alone");
   if (!arguments.machine.empty())
     throw InvalidInput("--machine is " + arguments.machine + " with " + arguments.program +
                        "; expected it with the program of a robot alone");
@@ -127,6 +132,8 @@ void addResume(CLI::App& app, Chosen& chosen) {
   command->add_option("program", arguments->program, "G-code file, or program of a robot")->required();
   auto* const output = command->add_option("-o,--output", arguments->output, "file for the rest");
   auto* const line = command->add_option("--from-line", arguments->line, "command to go on from, from 1");
+  command->add_option("--of-file", arguments->file, "file of a robot's program that has the line, as PART_3")
+      ->needs(line);
   auto* const layer =
       command->add_option("--from-layer", arguments->layer, "layer to go on from, as comments number them");
   auto* const height =

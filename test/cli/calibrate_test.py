@@ -94,6 +94,59 @@ class Calibrate(unittest.TestCase):
         wrong = lamina("calibrate", "sensor", self.path("scan"), "--method", "pyramid", "--pyramid", "20,40,10")
         self.assertIn("base wider than the top", wrong.stderr)
 
+    def write_touches(self, errors):
+        """Of a tip 12, -7, 250 mm from the flange that touches 900, 150, 400 mm, tilted by 40 deg all round."""
+        with open(self.path("tip.csv"), "w", encoding="ascii") as table:
+            table.write("x_mm,y_mm,z_mm,qw,qx,qy,qz\n")
+            for i in range(8):
+                about = math.radians(45.0 * i)
+                half = math.radians(20.0)
+                w, x, y = math.cos(half), math.sin(half) * math.cos(about), math.sin(half) * math.sin(about)
+                turned = ((1 - 2 * y * y) * 12 + 2 * x * y * -7 + 2 * w * y * 250,
+                          2 * x * y * 12 + (1 - 2 * x * x) * -7 - 2 * w * x * 250,
+                          -2 * w * y * 12 + 2 * w * x * -7 + (1 - 2 * x * x - 2 * y * y) * 250)
+                at = [900 - turned[0] + errors.get(i, 0.0), 150 - turned[1], 400 - turned[2]]
+                table.write(",".join(repr(value) for value in (*at, w, x, y, 0.0)) + "\n")
+
+    def test_finds_the_tip_of_a_tool_that_touches_a_point(self):
+        self.write_touches({})
+        found = reported("calibrate", "tcp", self.path("tip.csv"))
+        for value, truth in zip(found["xyz_mm"] + found["point_mm"], (12.0, -7.0, 250.0, 900.0, 150.0, 400.0)):
+            self.assertAlmostEqual(value, truth, delta=1e-9)
+        self.assertEqual(found["outlying_lines"], [])
+        self.write_touches({3: 4.0})
+        refused = lamina("calibrate", "tcp", self.path("tip.csv"))
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("line 5", refused.stderr)
+        self.assertIn("expected at most 1 mm", refused.stderr)
+        wide = reported("calibrate", "tcp", self.path("tip.csv"), "--greatest-mm", "5")
+        self.assertEqual((wide["touches"], wide["greatest_line"], wide["outlying_lines"]), (8, 5, [5]))
+        dropped = reported("calibrate", "tcp", self.path("tip.csv"), "--drop")
+        self.assertEqual(dropped["outlying_lines"], [5])
+        self.assertEqual(dropped["touches"], 7)
+        self.assertAlmostEqual(dropped["xyz_mm"][2], 250.0, delta=1e-9)
+        said = lamina("calibrate", "tcp", self.path("tip.csv"), "--drop")
+        self.assertIn("tool: {xyz_mm: [12.000, -7.000, 250.000]}", said.stdout)
+
+    def test_finds_a_work_object_by_axes_and_by_known_points(self):
+        with open(self.path("axes.csv"), "w", encoding="ascii") as table:
+            table.write("x_mm,y_mm,z_mm\n100,50,10\n100,250,10\n20,80,10\n")
+        foot = reported("calibrate", "object", self.path("axes.csv"))
+        self.assertEqual([round(value, 9) for value in foot["xyz_mm"]], [100, 80, 10])
+        self.assertEqual([round(value, 9) for value in foot["rpy_deg"]], [0, 0, 90])
+        first = reported("calibrate", "object", self.path("axes.csv"), "--origin", "first")
+        self.assertEqual([round(value, 9) for value in first["xyz_mm"]], [100, 50, 10])
+        with open(self.path("known.csv"), "w", encoding="ascii") as table:
+            table.write("x_mm,y_mm,z_mm,object_x_mm,object_y_mm,object_z_mm\n")
+            for x, y, z in ((0, 0, 0), (200, 0, 0), (200, 100, 0), (0, 100, 50)):
+                table.write(f"{500 - y},{x},{20 + z},{x},{y},{z}\n")
+        known = lamina("calibrate", "object", self.path("known.csv"))
+        self.assertEqual(known.returncode, 0, known.stderr)
+        self.assertIn("bed: {xyz_mm: [500.000, 0.000, 20.000], rpy_deg: [0.0000, 0.0000, 90.0000]}", known.stdout.replace("-0.0", "0.0"))
+        with open(self.path("two.csv"), "w", encoding="ascii") as table:
+            table.write("x_mm,y_mm,z_mm\n1,2,3\n4,5,6\n")
+        self.assertIn("has 2 points; expected 3", lamina("calibrate", "object", self.path("two.csv")).stderr)
+
     def test_refuses_the_calibration_of_another_machine(self):
         write_bobbing(self.folder)
         reported("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))

@@ -75,7 +75,8 @@ class Robot(unittest.TestCase):
             moved = [line for line in file.read().splitlines() if line.startswith("LIN ")]
         # To the waypoint, by the approach; then as before.
         self.assertEqual(moved[1].split(",A")[0], lines[moves[19] - 1].split(",A")[0])
-        for wrong, says in ((("--from-layer", "3"), "layers 0 to 2"), (("--from-layer", "1", "--nozzle-height", "5"), "--nozzle-height"),
+        self.assertEqual(reported("resume", whole, "--from-line", str(moves[19]), "--of-file", "WHOLE", "--machine", "irb_4600", "-o", rest)["from_waypoint"], 17)
+        for wrong, says in ((("--from-line", "9", "--of-file", "whole_2"), "no file 'whole_2'"), (("--from-layer", "3"), "layers 0 to 2"), (("--from-layer", "1", "--nozzle-height", "5"), "--nozzle-height"),
                             (("--from-layer", "1", "--set", "robot_program.process_output=2"), "output 2")):
             refused = lamina("resume", whole, *wrong, "--machine", "irb_4600", "-o", rest)
             self.assertNotEqual(refused.returncode, 0)

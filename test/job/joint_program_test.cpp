@@ -111,6 +111,25 @@ TEST_F(JointProgramTest, FiveAxisGcodeOfATiltedToolpathReportsItsPoses) {
     }
 }
 
+TEST_F(JointProgramTest, WhatALanguageCannotStateIsRefusedBeforeThePartIsRead) {
+  job_.part = folder_.file("missing.stl");
+  const auto refusal = [&](const std::string& machine, const std::string& output) -> std::string {
+    try {
+      slice(machine, output);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal("irb_4600", "1box.src").find("the program's name is '1box'"), std::string::npos);
+  EXPECT_NE(refusal("irb_4600_turntable", "box.script").find("the arm has 1 external axes"),
+            std::string::npos);
+  EXPECT_NE(refusal("irb_4600_turntable", "box.jbi").find("external axes; expected none"), std::string::npos);
+  EXPECT_NE(refusal("irb_4600_turntable", "box.src").find("missing.stl"), std::string::npos);
+  job_.settings.program.robot.arc.process = RobotProcess::Schedules;
+  EXPECT_NE(refusal("irb_4600", "box.script").find("URScript has no statement"), std::string::npos);
+}
+
 TEST_F(JointProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
   slice("five_axis_head_table", "level.gcode");
   EXPECT_EQ(readFile(job_.output).find(";FIVE_AXIS:"), std::string::npos);

@@ -47,8 +47,8 @@ TEST(RemainingMotion, OfALayerBeginsWithItsFirstPathThatDeposits) {
 TEST(RemainingMotion, OfAClosedPathIsOpenAndReturnsToItsStart) {
   const StatedMotion motion = countedMotion();
   // Line 40 states waypoint 3, so that its move sets out from waypoint 2.
-  EXPECT_EQ(waypointAtLine(motion, 40), (WaypointIndex{0, 0, 2}));
-  EXPECT_EQ(waypointAtLine(motion, 31), (WaypointIndex{0, 0, 2}));
+  EXPECT_EQ(waypointAtLine(motion, {40}), (WaypointIndex{0, 0, 2}));
+  EXPECT_EQ(waypointAtLine(motion, {31}), (WaypointIndex{0, 0, 2}));
   const StatedMotion rest = remainingMotion(motion, {0, 0, 2});
   validate(rest.toolpath);
   const Path& path = rest.toolpath.layers.at(0).paths.at(0);
@@ -68,8 +68,8 @@ TEST(RemainingMotion, OfAClosedPathIsOpenAndReturnsToItsStart) {
 
 TEST(RemainingMotion, BeginsAnewWhereAPathDoes) {
   const StatedMotion motion = countedMotion();
-  EXPECT_EQ(waypointAtLine(motion, 1), (WaypointIndex{0, 0, 0}));
-  EXPECT_EQ(waypointAtLine(motion, 80), (WaypointIndex{1, 0, 0}));
+  EXPECT_EQ(waypointAtLine(motion, {1}), (WaypointIndex{0, 0, 0}));
+  EXPECT_EQ(waypointAtLine(motion, {80}), (WaypointIndex{1, 0, 0}));
   const StatedMotion whole = remainingMotion(motion, {0, 0, 0});
   EXPECT_EQ(toolpathId(whole.toolpath), toolpathId(motion.toolpath));
   EXPECT_EQ(whole.lines, motion.lines);
@@ -79,10 +79,29 @@ TEST(RemainingMotion, RefusesWhatIsNotThere) {
   StatedMotion motion = countedMotion();
   EXPECT_THROW(waypointOfLayer(motion, 2), InvalidInput);
   EXPECT_THROW(waypointAtHeight(motion, 0.5), InvalidInput);
-  EXPECT_THROW(waypointAtLine(motion, 91), InvalidInput);
+  EXPECT_THROW(waypointAtLine(motion, {91}), InvalidInput);
   EXPECT_THROW(remainingMotion(motion, {1, 0, 1}), InvalidInput);
-  motion.lines[4] = 1;  // of another file
-  EXPECT_THROW(waypointAtLine(motion, 40), InvalidInput);
+}
+
+TEST(RemainingMotion, OfSeveralFilesGoesOnFromALineOfOneOfThem) {
+  StatedMotion motion = countedMotion();
+  // The travel and the second layer, from the end of the travel on, stand in another file.
+  motion.lines = {10, 20, 30, 40, 50, 50, 12, 12, 22};
+  motion.files = {{"/cell/part_1.src", 0}, {"/cell/part_2.src", 6}};
+  EXPECT_EQ(waypointAtLine(motion, {20, "part_1"}), (WaypointIndex{0, 0, 0}));
+  EXPECT_EQ(waypointAtLine(motion, {22, "PART_2.SRC"}), (WaypointIndex{1, 0, 0}));
+  EXPECT_EQ(waypointAtLine(motion, {1, "/cell/part_2.src"}), (WaypointIndex{0, 1, 0}));
+  // Behind the last move of a file comes the first of the next one.
+  EXPECT_EQ(waypointAtLine(motion, {60, "part_1"}), (WaypointIndex{0, 1, 0}));
+  EXPECT_THROW(waypointAtLine(motion, {23, "part_2"}), InvalidInput);
+  for (const StatedLine& line : {StatedLine{20, ""}, StatedLine{20, "part_3"}}) {
+    try {
+      waypointAtLine(motion, line);
+      FAIL() << line.file;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("part_1.src, part_2.src"), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

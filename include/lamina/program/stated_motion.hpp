@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lamina/kinematics/joint_path/joint_path.hpp"
@@ -17,6 +18,12 @@ enum class StatedMove : std::uint8_t {
   Nozzle,  ///< the nozzle: its tip on a straight line, its orientation at constant angular speed
 };
 
+/// A file of a program, and from which waypoint on its lines state the motion.
+struct StatedFile {
+  std::string name;
+  std::size_t first = 0;  ///< index in `StatedMotion::lines`
+};
+
 /// The motion that a program commands of a machine or robot, with joint values as the program states them
 /// instead of planned ones.
 struct StatedMotion {
@@ -24,7 +31,15 @@ struct StatedMotion {
   JointPath joints;   ///< at the waypoints; faults are those of waypoints without joints
   /// Numbers of the lines that state the waypoints, 1 based; as many as `joints.at`.
   std::vector<std::size_t> lines;
+  std::vector<StatedFile>
+      files;  ///< whose lines these are, in the order they are run; empty if only one can be
   StatedMove between = StatedMove::Joints;
 };
+
+/// The waypoints added from here on are stated by the lines of that file.
+inline void goOnInFile(StatedMotion& motion, const std::string& name) {
+  if (motion.files.empty() || motion.files.back().name != name)
+    motion.files.push_back({name, motion.lines.size()});
+}
 
 }  // namespace lamina

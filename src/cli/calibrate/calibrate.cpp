@@ -6,13 +6,16 @@
 namespace lamina::cli {
 
 void addCalibrate(CLI::App& app, Chosen& chosen) {
-  CLI::App* subcommand = app.add_subcommand(
-      "calibrate", "Find when and from where a profile sensor sees, and how late a feeder follows");
+  CLI::App* subcommand = app.add_subcommand("calibrate",
+                                            "Find when and from where a profile sensor sees, how late a "
+                                            "feeder follows, where tip and work object are");
   subcommand->require_subcommand(1);
   addCalibratePlan(*subcommand, chosen);
   addCalibrateTime(*subcommand, chosen);
   addCalibrateSensor(*subcommand, chosen);
   addCalibrateFeeder(*subcommand, chosen);
+  addCalibrateTip(*subcommand, chosen);
+  addCalibrateObject(*subcommand, chosen);
 }
 
 }  // namespace lamina::cli

@@ -67,5 +67,7 @@ void addCalibrateTime(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateSensor(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateFeeder(CLI::App& calibrate, Chosen& chosen);
 void addCalibratePlan(CLI::App& calibrate, Chosen& chosen);
+void addCalibrateTip(CLI::App& calibrate, Chosen& chosen);
+void addCalibrateObject(CLI::App& calibrate, Chosen& chosen);
 
 }  // namespace lamina::cli

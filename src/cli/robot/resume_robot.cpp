@@ -27,7 +27,7 @@ namespace lamina::cli {
 namespace {
 
 WaypointIndex startOf(const RobotResume& resume, const StatedMotion& motion) {
-  if (resume.line) return waypointAtLine(motion, static_cast<std::size_t>(*resume.line));
+  if (resume.line) return waypointAtLine(motion, {static_cast<std::size_t>(*resume.line), resume.file});
   if (resume.height_mm) return waypointAtHeight(motion, *resume.height_mm);
   if (!resume.layer)
     throw InvalidInput("where to go on is not given; expected --from-line, --from-layer or --from-height");

@@ -17,6 +17,7 @@ struct RobotResume {
   std::string output;
   std::string machine;  ///< name, profile or file; empty for that of the settings
   std::optional<std::uint64_t> line;
+  std::string file;  ///< of the line, where the program has several; empty for none
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;
   SettingOptions settings;

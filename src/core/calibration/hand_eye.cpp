@@ -9,12 +9,12 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "recording_table.hpp"
+#include "table_pose.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kLeastTurn = toRadians(5.0);
-constexpr double kUnitLength = 0.01;  // of a quaternion, by which it may be off
 
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& turn) {
   const Eigen::AngleAxisd about(turn);
@@ -95,18 +95,6 @@ void addDisagreement(const std::vector<BodySight>& sights, HandEyeFit& fit) {
   fit.rms_deg = toDegrees(std::sqrt(squared_rad / static_cast<double>(sights.size())));
 }
 
-Eigen::Isometry3d sightPose(const RecordingTable& table, std::size_t row, const std::string& prefix) {
-  const auto cell = [&](const char* name) { return table.at(row, requireColumn(table, prefix + name)); };
-  const Eigen::Quaterniond turn(cell("qw"), cell("qx"), cell("qy"), cell("qz"));
-  if (!(std::abs(turn.norm() - 1.0) < kUnitLength))
-    throw InvalidInput("'" + table.source + "' line " + std::to_string(table.lines[row]) +
-                       ": a quaternion's length is " + numberText(turn.norm()) + "; expected 1");
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = turn.normalized().toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(cell("x_mm"), cell("y_mm"), cell("z_mm"));
-  return pose;
-}
-
 }  // namespace
 
 HandEyeFit fitHandEye(const std::vector<BodySight>& sights) {
@@ -126,7 +114,7 @@ std::vector<BodySight> sightsFromCsv(std::string_view text, const std::string& s
   requireColumn(table, "body_qz");
   std::vector<BodySight> sights;
   for (std::size_t row = 0; row < table.rows(); ++row)
-    sights.push_back({sightPose(table, row, ""), sightPose(table, row, "body_")});
+    sights.push_back({tablePose(table, row, ""), tablePose(table, row, "body_")});
   return sights;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
 
 namespace lamina {
 namespace {
@@ -257,7 +259,12 @@ bool isRefusedUnlessClear(const SliceJob& job) {
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
-  if (programRunner(job.output) == ProgramRunner::OtherRobot) return requireArm(job, space);
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) {
+    requireArm(job, space);
+    const std::string name = std::filesystem::path(job.output).stem().string();
+    return requireWritable({*robotLanguageOf(job.output), name, job.settings.program.robot},
+                           *kinematicModelOf(job.settings.machine));
+  }
   if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return;
   if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +

@@ -3,13 +3,17 @@
 #include "lamina/program/remaining_motion.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "program/rapid/rapid_words.hpp"
 #include "toolpath/path_motions.hpp"
 
 namespace lamina {
@@ -88,6 +92,32 @@ class RemainingMotion {
   std::size_t station_ = 0;  ///< of the path's first waypoint among the joints
 };
 
+std::string stemOf(const std::string& file) { return lowerCase(std::filesystem::path(file).stem().string()); }
+
+/// Waypoints that the lines of one file state.
+struct LineRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+LineRange linesOf(const StatedMotion& motion, const StatedLine& line) {
+  const LineRange all{0, motion.lines.size()};
+  if (line.file.empty() && motion.files.size() <= 1) return all;
+  std::vector<std::string> names;
+  names.reserve(motion.files.size());
+  for (std::size_t f = 0; f < motion.files.size(); ++f) {
+    const StatedFile& file = motion.files[f];
+    if (!line.file.empty() && stemOf(file.name) == stemOf(line.file))
+      return {file.first, f + 1 < motion.files.size() ? motion.files[f + 1].first : all.end};
+    names.push_back(std::filesystem::path(file.name).filename().string());
+  }
+  const std::string moves = "the files with moves of the part: " + listed(names);
+  if (line.file.empty())
+    throw InvalidInput("the program has several files, in which line " + std::to_string(line.number) +
+                       " stands more than once; expected --of-file with one of " + moves);
+  throw InvalidInput("the program has no file '" + line.file + "' that moves; expected one of " + moves);
+}
+
 }  // namespace
 
 WaypointIndex waypointOfLayer(const StatedMotion& motion, std::size_t layer) {
@@ -107,15 +137,16 @@ WaypointIndex waypointAtHeight(const StatedMotion& motion, double height_mm) {
                      numberText(layers.empty() ? 0.0 : layers.back().z_mm) + " mm at most");
 }
 
-WaypointIndex waypointAtLine(const StatedMotion& motion, std::size_t line) {
-  if (!std::is_sorted(motion.lines.begin(), motion.lines.end()))
-    throw InvalidInput("the program has several files, in which line " + std::to_string(line) +
-                       " stands more than once; expected a layer or a height");
-  const auto found = std::lower_bound(motion.lines.begin(), motion.lines.end(), line);
+WaypointIndex waypointAtLine(const StatedMotion& motion, const StatedLine& line) {
+  const LineRange range = linesOf(motion, line);
+  const auto begin = motion.lines.begin();
+  const auto found = std::lower_bound(begin + static_cast<std::ptrdiff_t>(range.begin),
+                                      begin + static_cast<std::ptrdiff_t>(range.end), line.number);
   if (found == motion.lines.end())
-    throw InvalidInput("no move comes from line " + std::to_string(line) + " on; the last one is on line " +
+    throw InvalidInput("no move comes from line " + std::to_string(line.number) +
+                       " on; the last one is on line " +
                        std::to_string(motion.lines.empty() ? 0 : motion.lines.back()));
-  const auto index = static_cast<std::size_t>(found - motion.lines.begin());
+  const auto index = static_cast<std::size_t>(found - begin);
   const WaypointIndex& at = motion.joints.at[index];
   const bool is_begin = index == 0 || motion.joints.at[index - 1].layer != at.layer ||
                         motion.joints.at[index - 1].path != at.path;

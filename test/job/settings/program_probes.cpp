@@ -104,6 +104,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.loading=in_turn", "rapid.max_points=20"},
            {"rapid.process=arc"},
            {"rapid.dry_flag=true"},
+           {"rapid.dry_speed_percent=20", "rapid.dry_flag=true"},
            {"rapid.seam_data=seam2", "rapid.process=arc"},
            {"rapid.weld_data=weld2", "rapid.process=arc"},
            {"rapid.weave_data=weave1", "rapid.process=arc"}}};
@@ -132,6 +133,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"robot_program.corner_mm=1"},
                       {"robot_program.joint_speed_percent=20"},
                       {"robot_program.dry_flag=3"},
+                      {"robot_program.dry_speed_percent=20", "robot_program.dry_flag=3"},
                       {"robot_program.process_output=2"},
                       {"robot_program.process_lead_s=1"},
                       {"robot_program.process_end_s=1"},
@@ -162,6 +164,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"fanuc.joint_3_from_2=0"},
                       {"fanuc.flip=negative"},
                       {"fanuc.turn_axes=1,4"},
+                      {"fanuc.payload=2"},
                       {"fanuc.arc_equipment=2", "robot_program.process=schedules"},
                       {"fanuc.weld_speed=schedule", kAtOneSpeed},
                       {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/description_files/robot_report.hpp"
@@ -145,6 +146,50 @@ TEST_F(CellFolder, WhatIsWrongIsRefusedAsAWhole) {
             std::string::npos);
   EXPECT_NE(failureOf(std::string(kPlain) + "  positioner: {urdf: arm.urdf}\n").find("has 6 driven joints"),
             std::string::npos);
+}
+
+std::string withLimits(const std::string& limits) {
+  std::string text = kPlain;
+  return text.insert(text.find("flange_turn_deg"), "limits: {" + limits + "}, ");
+}
+
+TEST_F(CellFolder, LimitsOfTheArmAreNarrowedAndOnlyWidenedIfSaid) {
+  const auto joints = kinematicModelFromUrdf(cell(kPlain))->joints();
+  const double low_deg = toDegrees(joints[1].low);
+  const auto narrowed =
+      kinematicModelFromUrdf(cell(withLimits("joint_2: {upper_deg: 30, deg_s: 6}")))->joints();
+  EXPECT_NEAR(toDegrees(narrowed[1].high), 30.0, 1e-9);
+  EXPECT_NEAR(toDegrees(narrowed[1].low), low_deg, 1e-9);
+  EXPECT_NEAR(toDegrees(narrowed[1].max_speed), 6.0, 1e-9);
+  EXPECT_EQ(narrowed[2].high, joints[2].high);
+  const std::string wide = "lower_deg: " + std::to_string(low_deg - 5.0);
+  EXPECT_NE(failureOf(withLimits("joint_2: {" + wide + "}")).find("lower_deg of joint 'joint_2' is "),
+            std::string::npos)
+      << failureOf(withLimits("joint_2: {" + wide + "}"));
+  EXPECT_NE(failureOf(withLimits("joint_2: {deg_s: 1e5}")).find("or wider: true"), std::string::npos);
+  const auto widened = kinematicModelFromUrdf(cell(withLimits("joint_2: {" + wide + ", wider: true}")));
+  EXPECT_NEAR(toDegrees(widened->joints()[1].low), low_deg - 5.0, 1e-5);
+}
+
+TEST_F(CellFolder, LimitsOfWhatIsNoDrivenJointAreRefused) {
+  EXPECT_NE(failureOf(withLimits("joint_9: {deg_s: 1}")).find("has no joint 'joint_9'"), std::string::npos);
+  EXPECT_NE(failureOf(withLimits("joint_2: {deg_s2: 1}")).find("deg_s2"), std::string::npos);
+  EXPECT_NE(failureOf(withLimits("joint_2: {deg_s: 0}")).find("expected a positive number"),
+            std::string::npos);
+  // What is left of a joint whose bounds meet is no joint.
+  EXPECT_NE(failureOf(withLimits("joint_2: {lower_deg: 10, upper_deg: 10}")), "");
+}
+
+TEST_F(CellFolder, ASpeedThatADescriptionLacksMayBeStated) {
+  std::ifstream file(folder_.file("arm.urdf"));
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t joint = text.find("<joint name=\"joint_3\"");
+  const std::size_t speed = text.find("velocity=\"", joint) + 10;
+  text.replace(speed, text.find('"', speed) - speed, "0");
+  write("arm.urdf", text);
+  EXPECT_NE(failureOf(kPlain).find("has a velocity of 0"), std::string::npos) << failureOf(kPlain);
+  const auto arm = kinematicModelFromUrdf(cell(withLimits("joint_3: {deg_s: 90}")));
+  EXPECT_NEAR(toDegrees(arm->joints()[2].max_speed), 90.0, 1e-9);
 }
 
 TEST_F(CellFolder, AReportNamesClassAndTraps) {

@@ -116,6 +116,62 @@ INSTANTIATE_TEST_SUITE_P(Languages, DryFlag,
                          testing::Values(RobotLanguage::Krl, RobotLanguage::UrScript, RobotLanguage::Fanuc,
                                          RobotLanguage::Inform));
 
+RobotProgramSettings withDrySpeed() {
+  RobotProgramSettings settings = withDryFlag();
+  settings.dry_speed_percent = 20.0;
+  return settings;
+}
+
+TEST(DrySpeed, IsAShareOfEachSpeedInKrl) {
+  const std::string text = robotFiles(RobotLanguage::Krl, test::twoLayers(), withDrySpeed())[0].text;
+  EXPECT_EQ(timesIn(text, "()\nDECL REAL lamina_speed\n"), 1U) << text;
+  EXPECT_EQ(timesIn(text, "\nlamina_speed=1.0\nIF $FLAG[3] THEN\nlamina_speed=0.2\nENDIF\n"), 1U) << text;
+  EXPECT_GT(timesIn(text, "$VEL.CP="), 0U);
+  EXPECT_EQ(timesIn(text, "*lamina_speed\n"), timesIn(text, "$VEL.CP="));
+}
+
+TEST(DrySpeed, IsAShareOfEachSpeedInUrScript) {
+  const std::string text = robotFiles(RobotLanguage::UrScript, test::twoLayers(), withDrySpeed())[0].text;
+  EXPECT_EQ(timesIn(text,
+                    "  global lamina_dry = False\n  global lamina_speed = 1.0\n  if lamina_dry:\n"
+                    "    lamina_speed = 0.2\n  end\n"),
+            1U)
+      << text;
+  EXPECT_EQ(timesIn(text, "*lamina_speed, r="), timesIn(text, "movel(") + timesIn(text, "movep("));
+}
+
+TEST(DrySpeed, LeavesTheSpeedsThatAreReadBack) {
+  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::UrScript}) {
+    const auto slow =
+        readEquippedRobotProgram(robotFiles(language, test::twoLayers(), withDrySpeed()), "part");
+    const auto plain =
+        readEquippedRobotProgram(robotFiles(language, test::twoLayers(), withDryFlag()), "part");
+    EXPECT_EQ(slow.toolpath.layers[0].paths[0].feed_mm_s.at(1),
+              plain.toolpath.layers[0].paths[0].feed_mm_s.at(1));
+    EXPECT_EQ(totals(slow.toolpath).deposition_mm, totals(plain.toolpath).deposition_mm);
+    EXPECT_EQ(slow.equipment.process.count("dry run at 20 % of the speed"), 1U);
+    EXPECT_EQ(plain.equipment.process.count("dry run at 20 % of the speed"), 0U);
+  }
+}
+
+TEST(DrySpeed, StandsAloneUnderItsCondition) {
+  RobotFile krl = robotFiles(RobotLanguage::Krl, test::twoLayers(), withDrySpeed())[0];
+  krl.text = replacedIn(krl.text, "lamina_speed=0.2\n", "$OUT[1]=TRUE\n");
+  EXPECT_THROW(readRobotProgram({krl}, "part"), InvalidProgram);
+  RobotFile script = robotFiles(RobotLanguage::UrScript, test::twoLayers(), withDrySpeed())[0];
+  script.text =
+      replacedIn(script.text, "    lamina_speed = 0.2\n", "    set_standard_digital_out(1, True)\n");
+  EXPECT_THROW(readRobotProgram({script}, "part"), InvalidProgram);
+}
+
+TEST(DrySpeed, NeedsAFlagAndALanguageOfVariables) {
+  RobotProgramSettings settings = withDrySpeed();
+  for (const RobotLanguage language : {RobotLanguage::Fanuc, RobotLanguage::Inform})
+    EXPECT_THROW(robotFiles(language, test::twoLayers(), settings), InvalidConfig);
+  settings.dry_flag = 0;
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
+}
+
 TEST(RapidDryFlag, IsTestedByTheProceduresThatStartTheProcess) {
   RapidSettings settings;
   settings.variant = RapidVariant::Powder5Axes;
@@ -147,6 +203,30 @@ TEST(RapidDryFlag, PassesOverTheWaitForALaserThatIsNotAskedFor) {
   EXPECT_THROW(
       readRapid({{"a.mod", replacedIn(text, "WaitTime waiting2;ENDIF ", "WaitTime waiting2;")}}, "part"),
       InvalidProgram);
+}
+
+TEST(RapidDryFlag, MayGoWithASpeedOfItsOwn) {
+  for (const RapidVariant variant : {RapidVariant::Powder5Axes, RapidVariant::Wire3Axes}) {
+    RapidSettings settings;
+    settings.variant = variant;
+    settings.has_dry_flag = true;
+    const std::string plain = test::rapidModules(test::twoLayers(), settings)[0];
+    settings.dry_speed_percent = 20.0;
+    const std::string text = test::rapidModules(test::twoLayers(), settings)[0];
+    EXPECT_EQ(timesIn(text, "  PROC main()\n    IF lamina_dry VelSet 20,5000;\n"), 1U) << text;
+    EXPECT_EQ(timesIn(text, "    IF lamina_dry VelSet 100,5000;\n  ENDPROC\n"), 1U) << text;
+    const auto read = readEquippedRapid({{"a.mod", text}}, "part");
+    const auto read_plain = readEquippedRapid({{"a.mod", plain}}, "part");
+    EXPECT_EQ(toolpathId(read.toolpath), toolpathId(read_plain.toolpath));
+    EXPECT_EQ(read.equipment.process.count("dry run at 20 % of the speed"), 1U);
+    EXPECT_EQ(read_plain.equipment.process.count("dry run at 20 % of the speed"), 0U);
+    EXPECT_THROW(
+        readRapid({{"a.mod", replacedIn(text, "IF lamina_dry VelSet 20,5000", "IF lamina_dry Set DO1")}},
+                  "part"),
+        InvalidProgram);
+    settings.has_dry_flag = false;
+    EXPECT_THROW(checkedRapidSettings(settings), InvalidConfig);
+  }
 }
 
 TEST(RapidDryFlag, IsRefusedWithArcs) {

@@ -44,6 +44,18 @@ TEST(RobotLoad, IsWrittenWhereItIsKnown) {
   EXPECT_EQ(loadedText(RobotLanguage::UrScript, {}).find("set_payload"), std::string::npos);
 }
 
+TEST(RobotLoad, OfTheControllerIsChosenInFanucListings) {
+  EXPECT_EQ(loadedText(RobotLanguage::Fanuc, {}).find("PAYLOAD"), std::string::npos);
+  RobotProgramSettings settings;
+  settings.fanuc.payload = 3;
+  const auto files = test::robotFiles(RobotLanguage::Fanuc, test::twoLayers(), settings);
+  const std::size_t at = files[0].text.find(":  PAYLOAD[3] ;\n");
+  ASSERT_NE(at, std::string::npos) << files[0].text;
+  EXPECT_GT(at, files[0].text.find("UTOOL_NUM="));
+  EXPECT_LT(at, files[0].text.find(" P[1] "));
+  EXPECT_EQ(totals(readRobotProgram(files, "part")).deposition_runs, 2U);
+}
+
 TEST(RobotLoad, IsReadBackAndSaidOfTheCell) {
   for (const RobotLanguage language : kRobotLanguages) {
     const auto files = test::robotFiles(language, test::twoLayers(), withLoad());

@@ -50,6 +50,8 @@ struct RapidSettings {
   double turn_speed_deg_s = 500.0;  ///< speed at which the tool rotates, in each declared speed
 
   bool has_dry_flag = false;  ///< whether the module declares lamina_dry, with which it runs without process
+  /// Speed of a dry run by that flag, in percent of the program's speeds; 100 for these.
+  double dry_speed_percent = 100.0;
   bool declares_cell = true;  ///< whether the module declares tool, work object and start point
   /// Pose of the tip in the flange's frame: x y z [mm], w x y z. If it is empty, the pose of the arm's
   /// description, or, without an arm, the flange itself.

@@ -100,6 +100,7 @@ struct FanucSettings {
   bool is_coordinated = true;  ///< whether motions over a bed that a positioner turns are written as COORD
   int positioner_frame = 1;    ///< number of the frame of group 2, the positioner
   int positioner_tool = 1;     ///< number of the tool of group 2
+  int payload = 0;             ///< number of the payload on the controller that is chosen; 0 for none
 };
 
 enum class InformSpeedUnit : std::uint8_t { MillimetresPerSecond, CentimetresPerMinute };
@@ -142,6 +143,8 @@ struct RobotProgramSettings {
   double joint_speed_percent = 10.0;
   /// Number of the variable on the controller with which a program runs without its process; 0 for none.
   int dry_flag = 0;
+  /// Speed of a dry run by that variable, in percent of the program's speeds; 100 for these.
+  double dry_speed_percent = 100.0;
   int process_output = 1;       ///< number of the digital output that is on while material is deposited
   double process_lead_s = 0.0;  ///< wait between process on and the move
   double process_end_s = 0.0;   ///< wait between process off and the next move

@@ -18,6 +18,7 @@
 #include "base/strict_yaml.hpp"
 #include "kinematics/description_files/description_faults.hpp"
 #include "kinematics/description_files/flange.hpp"
+#include "kinematics/description_files/replaced_limits.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
@@ -51,6 +52,7 @@ struct CellArm {
   std::string base;
   std::string flange;
   std::optional<Vector> flange_turn_deg;
+  std::vector<ReplacedLimit> limits;
 };
 
 struct CellAxis {
@@ -126,11 +128,12 @@ class CellReader {
 
   CellArm arm(const StrictYaml& node) const {
     CellArm arm;
-    for (const auto& [key, value] : node.entries({"urdf", "base", "flange", "flange_turn_deg"})) {
+    for (const auto& [key, value] : node.entries({"urdf", "base", "flange", "flange_turn_deg", "limits"})) {
       if (key == "urdf") arm.urdf = placed(value.text());
       if (key == "base") arm.base = value.text();
       if (key == "flange") arm.flange = value.text();
       if (key == "flange_turn_deg") arm.flange_turn_deg = vectorFrom(value);
+      if (key == "limits") arm.limits = replacedLimitsFrom(value);
     }
     if (arm.urdf.empty()) node.refuse("names no urdf; expected the file of the arm");
     return arm;
@@ -337,7 +340,9 @@ std::string baseText(const urdf::ModelInterface& arm, const std::string& base) {
 }
 
 std::string mergedText(const CellFile& cell) {
-  const std::string arm_text = readRobotDescription(cell.arm.urdf, cell.packages);
+  const std::string arm_text =
+      robotDescription(withReplacedLimits(readFile(cell.arm.urdf, kMostSettingsBytes), cell.arm.limits),
+                       cell.arm.urdf, cell.packages);
   const auto arm = parseMachine(arm_text);
   const std::string flange = flangeOf(*arm, cell.arm.flange);
   if (!cell.arm.base.empty()) requireLink(*arm, cell.arm.base);

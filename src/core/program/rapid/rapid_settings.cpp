@@ -60,6 +60,8 @@ void describeArc(SettingsSchema& schema, RapidSettings& settings) {
   schema.flag(
       "rapid.dry_flag", settings.has_dry_flag,
       "Whether the module declares lamina_dry, a PERS bool: TRUE runs the program without its process.");
+  schema.number("rapid.dry_speed_percent", settings.dry_speed_percent, {1.0, 100.0},
+                "Speed of a dry run by rapid.dry_flag, of the program's speeds; 100 for these.");
   schema.text("rapid.seam_data", settings.seam_data,
               "Name of the seam data of arc moves, on the controller.");
   schema.text("rapid.weld_data", settings.weld_data,
@@ -199,6 +201,12 @@ void requireNames(const RapidSettings& settings) {
                         "'; must be fine or a zone of RAPID's own");
 }
 
+void requireDryRun(const RapidSettings& settings) {
+  if (settings.dry_speed_percent < 100.0 && !settings.has_dry_flag)
+    throw InvalidConfig("rapid.dry_speed_percent is " + numberText(settings.dry_speed_percent) +
+                        " with rapid.dry_flag false; expected 100, or true");
+}
+
 void requireArc(const RapidSettings& settings) {
   if (settings.process == RapidProcess::Outputs) {
     if (!settings.weave_data.empty())
@@ -257,6 +265,7 @@ RapidSettings checkedRapidSettings(RapidSettings settings) {
   if (settings.work_object_frame.empty()) settings.work_object_frame = none;
   if (settings.work_object.empty()) settings.work_object = is_wire ? "w_frametrabajo" : "temple";
   requireListed(settings);
+  requireDryRun(settings);
   requireArc(settings);
   requireNames(settings);
   requireAliases(settings);

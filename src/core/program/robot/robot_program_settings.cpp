@@ -105,6 +105,9 @@ void describeFanuc(SettingsSchema& schema, FanucSettings& settings) {
                  "Number of the user frame of group 2, the positioner.");
   schema.integer("fanuc.positioner_tool", settings.positioner_tool, {0, 99},
                  "Number of the tool of group 2, the positioner.");
+  schema.integer("fanuc.payload", settings.payload, {0, 10},
+                 "Payload on the controller that a listing chooses with its tool, PAYLOAD[n]; 0 for the one "
+                 "that the controller has.");
 }
 
 void describeInform(SettingsSchema& schema, InformSettings& settings) {
@@ -203,6 +206,9 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
       "robot_program.dry_flag", settings.dry_flag, {0, 99},
       "Number of the variable on the controller that switches the process off for a dry run: $FLAG[n] "
       "in KRL, R[n], B of INFORM; a script has lamina_dry, whatever the number. 0 for none.");
+  schema.number("robot_program.dry_speed_percent", settings.dry_speed_percent, {1.0, 100.0},
+                "Speed of a dry run by robot_program.dry_flag, of the program's speeds, in KRL and URScript; "
+                "100 for these.");
   schema.integer("robot_program.process_output", settings.process_output, {0, 4096},
                  "Digital output that is on while material is deposited.");
   schema.number("robot_program.process_lead_s", settings.process_lead_s, {0.0, 600.0},
@@ -271,6 +277,9 @@ void requireConsistent(const RobotProgramSettings& settings) {
         "robot_program.dry_flag is " + std::to_string(settings.dry_flag) +
         " with robot_program.process 'schedules'; expected 0: the controller's arc package has "
         "a switch of its own that blocks the process, or 'outputs'");
+  if (settings.dry_speed_percent < 100.0 && settings.dry_flag == 0)
+    throw InvalidConfig("robot_program.dry_speed_percent is " + numberText(settings.dry_speed_percent) +
+                        " with robot_program.dry_flag 0; expected 100, or the number of a variable");
   if (settings.fanuc.weld_speed == FanucWeldSpeed::Schedule && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig(
         "fanuc.weld_speed is 'schedule' with robot_program.process 'outputs'; expected 'stated', or "

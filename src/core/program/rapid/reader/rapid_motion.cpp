@@ -111,7 +111,10 @@ StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, cons
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;
   RapidFollower follower(arm, running.start);
-  for (const RapidStation& station : running.stations) follower.add(station, motion);
+  for (const RapidStation& station : running.stations) {
+    goOnInFile(motion, source.files[station.move.module]);
+    follower.add(station, motion);
+  }
   motion.toolpath = std::move(running.toolpath);
   return motion;
 }

@@ -150,6 +150,7 @@ class RapidRun {
 
   void addMove(const RapidProcedure& procedure, RapidMove move, std::size_t line) {
     move.is_heeded = is_heeded_;
+    move.module = procedure.module;
     const bool needs_arc = move.arc == RapidArc::On || move.arc == RapidArc::End;
     if (needs_arc && process_ == ProcessState::Off)
       refuse(procedure, line, "found a move of an arc that is not started; expected ArcLStart before it");

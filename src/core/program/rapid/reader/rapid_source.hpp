@@ -31,6 +31,7 @@ struct RapidMove {
   RapidTarget target;
   double feed_mm_s = 0.0;
   std::size_t line = 0;
+  std::size_t module = 0;  ///< index of the file of the procedure that runs it
   bool is_heeded = false;  ///< whether its configuration is obeyed: it is executed under ConfL\On
   RapidArc arc = RapidArc::None;
 };

@@ -212,16 +212,30 @@ void takeLateCall(RapidCursor& cursor, RapidSource& source, RapidStatement& stat
   cursor.expect("%");
 }
 
-/// `IF NOT lamina_dry`; with THEN it holds up to ENDIF, otherwise for one statement.
-/// @return whether it comes next
+/// `VelSet 20,5000;`: the speed of a dry run, or the end of that.
+void takeDrySpeed(RapidCursor& cursor, RapidSource& source) {
+  cursor.expectWord("velset");
+  const double percent = cursor.takeNumber("a speed in percent");
+  if (!(percent > 0.0 && percent <= 100.0)) cursor.refuse("a speed above 0 and up to 100 percent");
+  cursor.expect(",");
+  cursor.takeNumber("a speed in mm/s");
+  cursor.expect(";");
+  if (percent < 100.0) source.process.insert("dry run at " + numberText(percent) + " % of the speed");
+}
+
+/// Behind IF, `NOT lamina_dry`: with THEN it holds up to ENDIF, otherwise for one statement; or `lamina_dry`
+/// with the speed of a dry run.
+/// @return whether no statement is left to which it applies alone
 bool takeDryCondition(RapidCursor& cursor, RapidSource& source) {
-  if (!cursor.takeWord("if")) return false;
-  cursor.expectWord("not");
+  const bool is_of_process = cursor.takeWord("not");
   cursor.expectWord(kRapidDryFlag);
   if (source.names.count(std::string(kRapidDryFlag)) == 0)
     cursor.refuse("lamina_dry declared as a bool, before a condition of it");
-  source.is_conditional = cursor.takeWord("then");
-  return true;
+  if (is_of_process)
+    source.is_conditional = cursor.takeWord("then");
+  else
+    takeDrySpeed(cursor, source);
+  return source.is_conditional || !is_of_process;
 }
 
 bool switchesProcess(const RapidStatement& statement) {
@@ -244,8 +258,8 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     source.is_conditional = false;
     return;
   }
-  const bool is_condition = !source.is_conditional && takeDryCondition(cursor, source);
-  if (is_condition && source.is_conditional) return;
+  const bool is_condition = !source.is_conditional && cursor.takeWord("if");
+  if (is_condition && takeDryCondition(cursor, source)) return;
   RapidStatement statement;
   statement.line = cursor.line();
   if (cursor.take("%")) {

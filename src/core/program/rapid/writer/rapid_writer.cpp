@@ -37,6 +37,7 @@ struct RapidHead {
 namespace {
 
 constexpr double kLinearAxisSpeed = 5000.0;  // mm/s of external axes: as in RAPID's own speeds
+constexpr double kRapidTopSpeed = 5000.0;    // mm/s: what VelSet bounds speeds by where nothing else is said
 constexpr double kRotaryAxisSpeed = 1000.0;  // deg/s
 
 /// Whether outputs of the listings switch the process.
@@ -147,8 +148,15 @@ std::string laserProcedures(const RapidSettings& settings) {
          ";\n  ENDPROC\n";
 }
 
+/// A share of all speeds that dry runs go at; nothing where they go at these.
+std::string dryVelocity(const RapidSettings& settings, double percent) {
+  if (!(settings.dry_speed_percent < 100.0)) return "";
+  return "    IF " + std::string(kRapidDryFlag) + " VelSet " + shortestText(percent) + "," +
+         shortestText(kRapidTopSpeed) + ";\n";
+}
+
 std::string preparation(const RapidHead& head, const RapidSettings& settings) {
-  std::string text;
+  std::string text = dryVelocity(settings, settings.dry_speed_percent);
   for (const RapidAlias& alias : rapidAliases(settings.aliases))
     text += "    AliasIO \"" + alias.on_controller + "\"," + alias.signal + ";\n";
   // A configuration that is the same everywhere is none to stop for.
@@ -187,6 +195,7 @@ std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const Ra
                      head.passages.from_part;
   if (!isWire(settings) && hasOutputs(settings))
     text += "    Reset " + settings.powder_signal + ";Reset " + settings.gas_signal + ";\n";
+  text += dryVelocity(settings, 100.0);
   return text + "  ENDPROC\n" + head.passages.procedures;
 }
 

@@ -288,9 +288,12 @@ class FanucParser {
       closeCondition(line);
     else if (line.take("UFRAME_NUM") || line.take("UTOOL_NUM"))
       readFrameNumber(line);
+    else if (line.take("PAYLOAD"))
+      readPayload(line);
     else
       line.refuse(
-          "a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, IF, LBL, UFRAME_NUM, UTOOL_NUM");
+          "a statement that is known: J, L, DO, AO, Arc, Weave, WAIT, CALL, IF, LBL, UFRAME_NUM, UTOOL_NUM, "
+          "PAYLOAD");
     if (line.isAtEnd() && isContinued()) return;
     endStatement(line);
   }
@@ -300,6 +303,12 @@ class FanucParser {
   static void readFrameNumber(LineCursor& line) {
     line.expect("=");
     line.integer(0, 99, "the number of a frame");
+  }
+
+  static void readPayload(LineCursor& line) {
+    line.expect("[");
+    line.integer(1, 99, "the number of a payload");
+    line.expect("]");
   }
 
   RobotStatement jointMove(LineCursor& line) const {

@@ -51,6 +51,7 @@ int turnNumber(double degrees) { return static_cast<int>(std::floor((degrees + 1
 class FanucPrinter : public RobotPrinter {
  public:
   explicit FanucPrinter(const RobotSite& site) : site_(site) {
+    requireNoDrySpeed(site.settings, RobotLanguage::Fanuc);
     for (const JointKind kind : site.external) (kind == JointKind::Linear ? rails_ : turns_) += 1;
   }
 
@@ -72,6 +73,8 @@ class FanucPrinter : public RobotPrinter {
     if (points_ > 0) {
       lines.push_back("  UFRAME_NUM=" + std::to_string(site_.settings.frame_number));
       lines.push_back("  UTOOL_NUM=" + std::to_string(site_.settings.tool_number));
+      const int payload = site_.settings.fanuc.payload;
+      if (payload > 0) lines.push_back("  PAYLOAD[" + std::to_string(payload) + "]");
     }
     lines.insert(lines.end(), lines_.begin(), lines_.end());
     std::string text = attributes(head, lines.size()) + "/MN\n";

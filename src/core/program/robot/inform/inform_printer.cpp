@@ -35,6 +35,7 @@ bool isBeyondHalfTurn(double degrees) { return degrees >= 180.0 || degrees < -18
 class InformPrinter : public RobotPrinter {
  public:
   explicit InformPrinter(const RobotSite& site) : site_(site) {
+    requireNoDrySpeed(site.settings, RobotLanguage::Inform);
     if (!site.external.empty())
       throw InvalidInput("the arm has " + std::to_string(site.external.size()) +
                          " external axes; expected none: jobs state them in pulses, which are not written");

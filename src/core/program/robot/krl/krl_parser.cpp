@@ -118,7 +118,8 @@ class KrlParser {
         continue;
       }
       is_ended = cursor.take("END");
-      if (is_ended && list_.isConditionOpen()) cursor.refuse("END", "ENDIF before it");
+      if (is_ended && (list_.isConditionOpen() || is_speed_conditional_))
+        cursor.refuse("END", "ENDIF before it");
       if (is_ended)
         cursor.expectEnd();
       else
@@ -146,6 +147,7 @@ class KrlParser {
       list_.add(ArcSwitch{*arc}, cursor.line());
       return;
     }
+    if (is_speed_conditional_ || isDrySpeed(cursor)) return readDrySpeed(cursor);
     if (cursor.take("LIN"))
       add(cursor, linear(cursor));
     else if (cursor.take("PTP"))
@@ -189,10 +191,30 @@ class KrlParser {
     list_.add(std::move(statement), cursor.line());
   }
 
-  /// `NOT $FLAG[1] THEN`.
+  /// Whether the line declares the variable of a dry run's speed, or sets it.
+  static bool isDrySpeed(LineCursor cursor) { return cursor.take("DECL") || cursor.take(kDrySpeedVariable); }
+
+  /// The declaration, `lamina_speed=0.2`, or what stands in a condition for that alone.
+  void readDrySpeed(LineCursor& cursor) {
+    if (is_speed_conditional_ && cursor.take("ENDIF")) {
+      is_speed_conditional_ = false;
+    } else if (!is_speed_conditional_ && cursor.take("DECL")) {
+      cursor.expect("REAL");
+      cursor.expect(kDrySpeedVariable);
+    } else {
+      cursor.expect(kDrySpeedVariable);
+      cursor.expect("=");
+      cursor.number(0.0, 1.0, "a share of the speed, 0 to 1");
+    }
+    cursor.expectEnd();
+  }
+
+  /// `NOT $FLAG[1] THEN`; without NOT, for the speed of a dry run.
   void openCondition(LineCursor& cursor) {
-    if (!list_.openDryCondition()) cursor.refuse("IF", "ENDIF before it");
-    for (const char* text : {"NOT", "$", "FLAG", "["}) cursor.expect(text);
+    if (list_.isConditionOpen()) cursor.refuse("IF", "ENDIF before it");
+    is_speed_conditional_ = !cursor.take("NOT");
+    if (!is_speed_conditional_) list_.openDryCondition();
+    for (const char* text : {"$", "FLAG", "["}) cursor.expect(text);
     cursor.integer(1, kMostOutputs, "the number of a flag");
     cursor.expect("]");
     cursor.expect("THEN");
@@ -263,6 +285,7 @@ class KrlParser {
       cursor.expect("=");
       speed_mm_s_ = kMillimetres * cursor.number(kSlowestRead / kMillimetres, kFastestRead / kMillimetres,
                                                  "a speed in m/s, above 0");
+      if (cursor.take("*")) cursor.expect(kDrySpeedVariable);
       return cursor.expectEnd();
     }
     if (cursor.take("ANOUT")) return add(cursor, level(cursor, false));
@@ -293,7 +316,8 @@ class KrlParser {
   std::string arc_on_;  ///< empty where no note states it
   std::string arc_off_;
   bool is_begun_ = false;
-  double speed_mm_s_ = 0.0;  ///< none yet
+  bool is_speed_conditional_ = false;  ///< within the condition of the speed of a dry run
+  double speed_mm_s_ = 0.0;            ///< none yet
 };
 
 }  // namespace

@@ -29,6 +29,12 @@ constexpr std::string_view kLoadNote = "load";
 /// Beginning of the note of the variable that switches the process off for a dry run.
 constexpr std::string_view kDryFlagNote = "dry_flag";
 
+/// Beginning of the note of the speed of a dry run, in percent of the program's.
+constexpr std::string_view kDrySpeedNote = "dry_speed";
+
+/// Variable of programs that run dry at a speed of its own: by what their speeds are multiplied.
+constexpr std::string_view kDrySpeedVariable = "lamina_speed";
+
 /// Beginnings of the notes before statements by which a program in KRL starts and ends its arc.
 constexpr std::string_view kArcOnNote = "arc_on";
 constexpr std::string_view kArcOffNote = "arc_off";

@@ -49,6 +49,7 @@ StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm) {
     pose.translation() = station.move.point;
     const auto joints = followingJoints(arm, pose, *near);
     motion.joints.at.push_back(station.at);
+    goOnInFile(motion, running.files[move.file]);
     motion.lines.push_back(move.line);
     motion.joints.values.push_back(joints.value_or(JointValues()));
     if (joints)

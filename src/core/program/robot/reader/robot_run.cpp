@@ -96,6 +96,7 @@ class RobotRun {
 
   void run(const RobotScriptFile& file) {
     file_ = &file.name;
+    running_.files.push_back(file.name);
     passage_ = Passage::None;
     for (const ReadStatement& statement : file.statements) {
       line_ = statement.line;
@@ -158,6 +159,11 @@ class RobotRun {
       running_.equipment.process.insert("dry run by variable " + std::to_string(notedOutput(words)));
       return true;
     }
+    if (words.take(kDrySpeedNote)) {
+      const double percent = boundedNumber(words, 100.0, "the speed of a dry run in percent");
+      running_.equipment.process.insert("dry run at " + shortestText(percent) + " % of the speed");
+      return true;
+    }
     if (words.take("joints")) return head.map = notedMap(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {
@@ -207,7 +213,7 @@ class RobotRun {
     StatedEquipment& equipment = running_.equipment;
     if (running_.moves.empty()) equipment.external = move.external;
     equipment.moves_external |= equipment.external != move.external;
-    running_.moves.push_back({move.external, line_});
+    running_.moves.push_back({move.external, line_, running_.files.size() - 1});
   }
 
   void requireOff(const char* where) const {

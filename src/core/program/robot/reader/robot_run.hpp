@@ -39,6 +39,7 @@ struct RobotHeadNotes {
 struct RunMove {
   std::vector<double> external;  ///< [mm, deg]
   std::size_t line = 0;
+  std::size_t file = 0;  ///< index in the files of the program
 };
 
 /// A program in the order in which it is run.
@@ -48,6 +49,7 @@ struct RobotRunning {
   std::optional<ControllerJoints> start;
   RobotHeadNotes head;
   StatedEquipment equipment;
+  std::vector<std::string> files;  ///< names, in the order they are run
 };
 
 /// Runs the files one after the other.

@@ -80,7 +80,9 @@ class UrScriptParser {
         place_ = Place::Within;
         break;
       case Place::Within:
-        if (cursor.take("end"))
+        if (is_speed_conditional_)
+          readDrySpeed(cursor);
+        else if (cursor.take("end"))
           readEnd(cursor);
         else if (cursor.take("if"))
           openCondition(cursor);
@@ -105,13 +107,30 @@ class UrScriptParser {
   }
 
   void openCondition(LineCursor& cursor) {
-    if (!list_.openDryCondition()) cursor.refuse("if", "the end of the condition before it");
-    for (const char* text : {"not", "lamina_dry", ":"}) cursor.expect(text);
-    is_conditional_ = true;
+    if (is_conditional_) cursor.refuse("if", "the end of the condition before it");
+    is_speed_conditional_ = !cursor.take("not");
+    is_conditional_ = !is_speed_conditional_;
+    if (is_conditional_) list_.openDryCondition();
+    cursor.expect("lamina_dry");
+    cursor.expect(":");
   }
 
-  /// `lamina_dry = False`, or True where the program was last run dry.
+  /// What a dry run sets its speed to, or the end of that.
+  void readDrySpeed(LineCursor& cursor) {
+    is_speed_conditional_ = !cursor.take("end");
+    if (is_speed_conditional_) readShare(cursor);
+  }
+
+  /// `lamina_speed = 0.2`.
+  static void readShare(LineCursor& cursor) {
+    cursor.expect(kDrySpeedVariable);
+    cursor.expect("=");
+    cursor.number(0.0, 1.0, "a share of the speed, 0 to 1");
+  }
+
+  /// `lamina_dry = False`, or True where the program was last run dry; or the share of a dry run's speed.
   static void readFlag(LineCursor& cursor) {
+    if (LineCursor(cursor).take(kDrySpeedVariable)) return readShare(cursor);
     cursor.expect("lamina_dry");
     cursor.expect("=");
     if (!cursor.take("True")) cursor.expect("False");
@@ -173,6 +192,7 @@ class UrScriptParser {
     urNamed(cursor, "a", 0.0, kGreatestUrRate, kUrRate);
     move.feed_mm_s = kUrMillimetres * urNamed(cursor, "v", kSlowestRead / kUrMillimetres,
                                               kFastestRead / kUrMillimetres, "a speed in m/s, above 0");
+    if (cursor.take("*")) cursor.expect(kDrySpeedVariable);
     move.rests = urNamed(cursor, "r", 0.0, kFarthestRead, "a radius in m") == 0.0;
     return move;
   }
@@ -198,7 +218,8 @@ class UrScriptParser {
   ReadFile file_;
   StatementList list_;
   Place place_ = Place::Before;
-  bool is_conditional_ = false;  ///< within a condition of a dry run
+  bool is_conditional_ = false;        ///< within a condition of a dry run
+  bool is_speed_conditional_ = false;  ///< within the condition of its speed
 };
 
 }  // namespace

@@ -127,12 +127,22 @@ class UrScriptPrinter : public RobotPrinter {
     for (const std::string& note : head.notes)
       for (const std::string& comment : noteComments(note, "  #", kUrNoteWidth)) text += comment + "\n";
     if (site_.settings.dry_flag > 0) text += "  global lamina_dry = False\n";
+    text += drySpeed();
     if (site_.cell) text += "  set_tcp(" + urPose(site_.cell->flange_from_nozzle) + ")\n";
     text += payload();
     return {{head.name + ".script", text + whole.body_ + "end\n"}};
   }
 
  private:
+  bool hasDrySpeed() const { return site_.settings.dry_speed_percent < 100.0; }
+
+  std::string drySpeed() const {
+    if (!hasDrySpeed()) return "";
+    const std::string variable(kDrySpeedVariable);
+    return "  global " + variable + " = 1.0\n  if lamina_dry:\n    " + variable + " = " +
+           trimmedDecimals(0.01 * site_.settings.dry_speed_percent, kUrDecimals) + "\n  end\n";
+  }
+
   /// Nothing where the controller's is kept.
   std::string payload() const {
     const RobotProgramSettings& settings = site_.settings;
@@ -167,7 +177,8 @@ class UrScriptPrinter : public RobotPrinter {
     const bool is_process = move.lays && site_.settings.urscript.bead_move == UrBeadMove::MoveP;
     std::string text = (is_process ? "movep(" : "movel(") + urPose(base_from_bed_ * pose) +
                        ", a=" + trimmedDecimals(site_.settings.urscript.acceleration_m_s2, 3) +
-                       ", v=" + trimmedDecimals(kUrMetre * move.feed_mm_s, kUrDecimals);
+                       ", v=" + trimmedDecimals(kUrMetre * move.feed_mm_s, kUrDecimals) +
+                       (hasDrySpeed() ? "*" + std::string(kDrySpeedVariable) : "");
     const double blend_mm = move.rests || move.room_mm < kLeastBlendRoom
                                 ? 0.0
                                 : std::min(site_.settings.corner_mm, kBlendShare * move.room_mm);

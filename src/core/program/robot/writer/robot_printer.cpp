@@ -6,6 +6,7 @@
 
 #include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "program/robot/fanuc/fanuc_printer.hpp"
 #include "program/robot/inform/inform_printer.hpp"
 #include "program/robot/krl/krl_printer.hpp"
@@ -55,6 +56,13 @@ void requireFreeName(const std::string& name, const std::vector<std::string_view
     throw InvalidConfig("the program's name is '" + name +
                         "' (robot_program.name, or that of the file), a word of " + toString(language) +
                         " itself; expected another");
+}
+
+void requireNoDrySpeed(const RobotProgramSettings& settings, RobotLanguage language) {
+  if (settings.dry_speed_percent < 100.0)
+    throw InvalidConfig("robot_program.dry_speed_percent is " + numberText(settings.dry_speed_percent) +
+                        "; expected 100 in " + toString(language) +
+                        ", whose dry runs go at the override of the pendant");
 }
 
 void requireOutputNumber(int output, RobotLanguage language) {

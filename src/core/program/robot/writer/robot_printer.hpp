@@ -87,6 +87,11 @@ void requireProgramName(const std::string& name, std::size_t longest, RobotLangu
 void requireFreeName(const std::string& name, const std::vector<std::string_view>& reserved,
                      RobotLanguage language);
 
+/// Refuses a dry run at a speed of its own in a language whose moves state speeds as plain numbers: only an
+/// override of the controller could change them, which would outlast the program.
+/// @throws InvalidConfig
+void requireNoDrySpeed(const RobotProgramSettings& settings, RobotLanguage language);
+
 /// Refuses output 0 in a language that numbers outputs from 1.
 /// @throws InvalidInput
 void requireOutputNumber(int output, RobotLanguage language);

@@ -86,6 +86,8 @@ std::vector<std::string> RobotScript::headNotes() const {
     notes.push_back("process " + std::to_string(settings_.process_output));
   if (settings_.dry_flag > 0)
     notes.push_back(std::string(kDryFlagNote) + " " + std::to_string(settings_.dry_flag));
+  if (settings_.dry_speed_percent < 100.0)
+    notes.push_back(std::string(kDrySpeedNote) + " " + number(settings_.dry_speed_percent));
   for (const RobotLevel& level : levels_)
     notes.push_back("level " + level.name + " " + std::to_string(level.output) + " " + number(level.per));
   if (cell_ && !map_.isPlain()) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 #include "program/robot/writer/robot_printer.hpp"
 #include "program/robot/writer/robot_script.hpp"
@@ -191,6 +192,15 @@ void requireMemory(const std::vector<RobotFile>& files, const RobotDialect& dial
 }
 
 }  // namespace
+
+void requireWritable(const RobotProgramRequest& request, const KinematicModel& arm) {
+  const RobotProgramSettings& settings = request.settings;
+  const RobotSite site{settings, std::nullopt, controllerMap(request.language, settings),
+                       externalAxisKinds(arm)};
+  const RobotDialect dialect = robotDialect(request.language, settings);
+  dialect.name(settings.name.empty() ? request.name : settings.name, settings);
+  dialect.open(site);
+}
 
 std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                                     const RobotProgramRequest& request, const RobotMotion* robot) {

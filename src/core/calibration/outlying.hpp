@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace lamina {
+
+/// Distances of all touches from the fit to some of them [mm], in their order.
+/// @throws InvalidInput if these do not determine the fit
+using DistancesFromFit = std::function<std::vector<double>(const std::vector<std::size_t>& fitted)>;
+
+/// Touches that contradict the others, by their index, ascending: each lies farther from the fit to the
+/// others than 7.3 of their standard deviations in one coordinate. A fit of six unknowns to all touches
+/// would hide one of them by giving way to it. At least four stay; of fewer than five, none is named.
+std::vector<std::size_t> outlyingTouches(std::size_t count, const DistancesFromFit& distances);
+
+/// Those values that stand at the given places, in the order of these.
+template <typename Value>
+std::vector<Value> pickedFrom(const std::vector<Value>& values, const std::vector<std::size_t>& places) {
+  std::vector<Value> chosen;
+  chosen.reserve(places.size());
+  for (const std::size_t place : places) chosen.push_back(values[place]);
+  return chosen;
+}
+
+/// Standard deviation of one coordinate, by the distances from a fit of six unknowns [mm]; 0 for two touches
+/// or fewer.
+double coordinateDeviation(const std::vector<double>& distances);
+
+/// Root mean square of the distances; 0 if there are none.
+double meanDistance(const std::vector<double>& distances);
+
+}  // namespace lamina
