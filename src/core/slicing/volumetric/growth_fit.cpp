@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/mesh/area_vector.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/slicing/unsliceable.hpp"
@@ -50,18 +51,6 @@ bool isSamePart(const SkinPart& a, const SkinPart& b) {
   return a.node == b.node && a.normal.dot(b.normal) > kFlat;
 }
 
-Point3 normalOf(const Mesh& mesh, std::size_t triangle) {
-  const Triangle& corner = mesh.triangles[triangle];
-  const Point3& first = mesh.vertices[corner[0]];
-  return (mesh.vertices[corner[1]] - first).cross(mesh.vertices[corner[2]] - first).normalized();
-}
-
-double areaOf(const Mesh& mesh, std::size_t triangle) {
-  const Triangle& corner = mesh.triangles[triangle];
-  const Point3& first = mesh.vertices[corner[0]];
-  return 0.5 * (mesh.vertices[corner[1]] - first).cross(mesh.vertices[corner[2]] - first).norm();
-}
-
 bool isBefore(const SkinPart& a, const SkinPart& b) { return a.node < b.node; }
 
 /// The parts at a node, of parts by nodes.
@@ -76,7 +65,7 @@ std::vector<SkinPart> skinParts(const Mesh& mesh, const CellGraph& cells, Progre
   std::vector<SkinPart> parts;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     if (i % 4096 == 0) throwIfCancelled(progress, "fit");
-    const Point3 normal = normalOf(mesh, i);
+    const Point3 normal = triangleNormal(mesh, i);
     std::array<Point3, 3> corner;
     for (std::size_t side = 0; side < 3; ++side) corner[side] = mesh.vertices[mesh.triangles[i][side]];
     visitParts(corner, cells.frame().voxel_mm, [&](const auto&, const Point3& place, double) {
@@ -364,7 +353,7 @@ class GrowthFit {
       for (const SkinPart* part = first; part != last; ++part) {
         faces.push_back(flatFace(part->triangle));
         double area = 0.0;
-        for (const std::uint32_t triangle : faces.back()) area += areaOf(mesh_, triangle);
+        for (const std::uint32_t triangle : faces.back()) area += triangleArea(mesh_, triangle);
         areas.push_back(area);
       }
     };
@@ -396,12 +385,12 @@ class GrowthFit {
 
   /// Triangles in the plane of one, that face as it does.
   TriangleNumbers flatFace(std::uint32_t triangle) const {
-    const Point3 normal = normalOf(mesh_, triangle);
+    const Point3 normal = triangleNormal(mesh_, triangle);
     const Point3& on = mesh_.vertices[mesh_.triangles[triangle][0]];
     TriangleNumbers face;
     for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i)
       if (std::abs((mesh_.vertices[mesh_.triangles[i][0]] - on).dot(normal)) < cells_.bitSide() &&
-          normalOf(mesh_, i).dot(normal) > kFlat)
+          triangleNormal(mesh_, i).dot(normal) > kFlat)
         face.push_back(i);
     return face;
   }
