@@ -97,10 +97,10 @@ RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
 }
 
 std::string noteOnRaised(const RaisedToolpath& raised) {
-  char text[200];
+  char text[260];
   std::snprintf(text, sizeof text,
                 "at %zu waypoints the tool axis leans less than the layers ask, by up to %.0f %%, for the "
-                "machine to run into nothing",
+                "machine to run into nothing and its joints to stay within their limits",
                 raised.waypoints, 100.0 * (1.0 - raised.least_kept));
   return text;
 }

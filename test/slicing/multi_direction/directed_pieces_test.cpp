@@ -163,6 +163,46 @@ TEST(DirectedPieces, AreRefusedWithWhatStaysUnsupported) {
   EXPECT_EQ(cutApart(part, request).pieces.size(), 1U);
 }
 
+std::string cutRefusal(const Mesh& mesh, const DirectionRequest& request) {
+  try {
+    cutApart(mesh, request);
+  } catch (const Unsliceable& refusal) {
+    return refusal.what();
+  }
+  return "not refused";
+}
+
+// The surface is 2 x 456 + 124 x 8 = 1904 mm², of which a cut has to free 0.5 %.
+TEST(DirectedPieces, AreRefusedWithWhatACutWouldHaveToFree) {
+  DirectionRequest request = quickRequest();
+  request.settings.max_tilt_deg = 0.0;
+  const std::string refusal = cutRefusal(test::tShape(), request);
+  EXPECT_NE(refusal.find("across 1 a cut would free less than 9.52 mm²"), std::string::npos) << refusal;
+}
+
+// Arms are freed along directions that lean by at least 45 deg: the rim of a head of radius 1000 mm, 5 mm
+// above its tip, is then at least (1000 - 5) / sqrt(2) = 703.6 mm lower than the tip.
+TEST(DirectedPieces, AreRefusedWithTheRoomThatTheHeadNeeds) {
+  DirectionRequest request = quickRequest();
+  request.head = {{5.0, 80.0, 1000.0}};
+  const std::string refusal = cutRefusal(test::tShape(), request);
+  EXPECT_NE(refusal.find("the head would be in the bed"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("in a part 26 mm high"), std::string::npos) << refusal;
+  const std::string before = "its tip has to stay ";
+  ASSERT_NE(refusal.find(before), std::string::npos) << refusal;
+  const double height = std::stod(refusal.substr(refusal.find(before) + before.size()));
+  EXPECT_GE(height, 703.0);
+  EXPECT_LT(height, 1000.0);
+}
+
+// The whole bar, 36 x 6 x 8 mm, would lie on 12 x 8 mm at most, less than a square of 4 beads of 3 mm.
+TEST(DirectedPieces, AreRefusedWithTheBaseThatAPieceNeeds) {
+  DirectionRequest request = quickRequest();
+  request.bead_mm = 3.0;
+  const std::string refusal = cutRefusal(test::tShape(), request);
+  EXPECT_NE(refusal.find(" a piece would lie on less than 144 mm²"), std::string::npos) << refusal;
+}
+
 // A head as wide as the room leaves no plane.
 TEST(DirectedPieces, AreNotCutWhereTheHeadWouldBeInTheBed) {
   DirectionRequest request = quickRequest();

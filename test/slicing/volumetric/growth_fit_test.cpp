@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "support/grown_parts.hpp"
+#include "support/lofted_solid.hpp"
 #include "support/solids.hpp"
 
 namespace lamina {
@@ -95,6 +98,66 @@ TEST(GrowthFit, CrossesABentTubeByPlanesThroughTheAxisOfItsBend) {
   EXPECT_NEAR(outer.mean() / inner.mean(), 22.0 / 38.0, 0.02);
   // The innermost layers are as thin as they may be, but for 0.5 % of the volume.
   EXPECT_NEAR(slope_mm / nodes, 20.5, 0.5);
+}
+
+/// Mean angle between growth and the tangents of a bend of 30 mm about the axis x = 30 mm, z = 0, at nodes
+/// within the part whose angle about it is within a range.
+double meanTurnFromTangents(const Fitted& part, double from_deg, double to_deg) {
+  Mean error_deg;
+  for (std::uint32_t node = 0; node < part.cells.nodeCount(); ++node) {
+    const Point3& place = part.cells.middle(node);
+    const double angle_deg = toDegrees(std::atan2(place.z(), 30.0 - place.x()));
+    if (part.cells.links(node).size() < 26 || angle_deg < from_deg || angle_deg > to_deg) continue;
+    const Point3 tangent = Point3::UnitY().cross(place - Point3(30.0, place.y(), 0.0)).normalized();
+    const double cosine = part.field.fitted_gradient[node].normalized().dot(tangent);
+    error_deg.add(toDegrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+  }
+  return error_deg.mean();
+}
+
+// A gradient cannot be as long inside a bend as outside: asked to be, it leaned by up to 13 deg at the end.
+TEST(GrowthFit, CrossesABentTubeAsWellAtItsEnd) {
+  for (const char* const angle_deg : {"65", "90"}) {
+    SCOPED_TRACE(angle_deg);
+    const Mesh tube = makePart(
+        "elbow",
+        {{"radius_mm", "10"}, {"bend_radius_mm", "30"}, {"foot_mm", "0.001"}, {"angle_deg", angle_deg}});
+    const Fitted part = fitted(tube, 1.0, GrowthTarget::Tangent);
+    const double end_deg = std::stod(angle_deg);
+    EXPECT_LT(meanTurnFromTangents(part, 2.0, end_deg - 15.0), 1.0);
+    EXPECT_LT(meanTurnFromTangents(part, end_deg - 15.0, end_deg - 4.0), 1.0);
+    EXPECT_LT(meanTurnFromTangents(part, end_deg - 4.0, end_deg), 1.5);
+  }
+}
+
+// The sides of a slender rod are far larger than its end.
+TEST(GrowthFit, EndsASlenderRodAtItsEnd) {
+  const Fitted part = fitted(test::boxBetween({0, 0, 0}, {3, 3, 60}), 0.75, GrowthTarget::Tangent);
+  visitNodes(part, [](const Point3& place, double growth, const Point3& gradient) {
+    EXPECT_NEAR(growth, place.z(), 1e-9);
+    EXPECT_LT((gradient - Point3::UnitZ()).norm(), 1e-5) << place.transpose();
+  });
+}
+
+// Growth along an upright rod whose end is half a sphere is level below it.
+TEST(GrowthFit, EndsARodAtItsDome) {
+  std::vector<double> heights = {0.0};
+  for (int i = 0; i < 12; ++i) heights.push_back(20.0 + 5.0 * std::sin(M_PI_2 * i / 12.0));
+  const Mesh rod = test::loftedSolid(heights, 48, [](double, double z) {
+    const double above = std::max(0.0, z - 20.0);
+    return std::sqrt(25.0 - above * above);
+  });
+  const Fitted part = fitted(rod, 0.75, GrowthTarget::Tangent);
+  Mean tilt_deg;
+  visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
+    if (place.z() < 12.0) tilt_deg.add(toDegrees(std::acos(std::min(1.0, gradient.normalized().z()))));
+  });
+  EXPECT_LT(tilt_deg.mean(), 1.0);
+}
+
+TEST(GrowthFit, SaysThatAConeHasNoEnd) {
+  const Mesh cone = makePart("cone", {{"radius_mm", "6"}, {"height_mm", "30"}});
+  EXPECT_THROW(fitted(cone, 0.75, GrowthTarget::Tangent), Unsliceable);
 }
 
 // A block whose top is a cylinder of 60 mm about y: it slopes by up to 14.5 deg.

@@ -32,7 +32,8 @@ struct VolumetricSettings {
   double largest_pendant_percent = 0.5;
   /// Greatest share of the surface that overhangs by more than allowed before the part is refused.
   double largest_unsupported_percent = 5.0;
-  /// Greatest share of the deposited volume that may be left out where the head would collide.
+  /// Greatest share of the deposited volume that may be left out where a head that tilts would collide, in
+  /// any slicing mode.
   double largest_left_out_percent = 0.5;
 };
 

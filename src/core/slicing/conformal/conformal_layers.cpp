@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/mesh/area_vector.hpp"
 #include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -163,12 +164,6 @@ struct CoatedFaces {
   double hidden_mm2 = 0.0;  ///< of what looks in the direction, below other faces
 };
 
-double areaOf(const Mesh& mesh, std::uint32_t face) {
-  const Triangle& corner = mesh.triangles[face];
-  const Point3& a = mesh.vertices[corner[0]];
-  return 0.5 * (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).norm();
-}
-
 /// The nozzle comes from the direction, and cannot come to what lies below other faces. A mesh with faces
 /// that are hidden in part is divided, so that they end where they are.
 CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
@@ -185,7 +180,7 @@ CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
     if (sights[i] == Sight::Open)
       open.push_back(coated.faces[i]);
     else
-      coated.hidden_mm2 += areaOf(coated.mesh, coated.faces[i]);
+      coated.hidden_mm2 += triangleArea(coated.mesh, coated.faces[i]);
   if (open.empty())
     throw Unsliceable("all " + numberText(coated.hidden_mm2) +
                           " mm2 of faces that look in conformal.direction lie below others; expected some "

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh/area_vector.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
@@ -26,13 +27,6 @@ bool isOnBorder(const Mesh& source, const MeshTopology& topology, const NearestP
   return false;
 }
 
-Point3 normalOf(const Mesh& mesh, std::uint32_t number) {
-  const Triangle& corner = mesh.triangles[number];
-  return (mesh.vertices[corner[1]] - mesh.vertices[corner[0]])
-      .cross(mesh.vertices[corner[2]] - mesh.vertices[corner[0]])
-      .stableNormalized();
-}
-
 }  // namespace
 
 TriangleNumbers unreached(const Mesh& mesh, const TriangleNumbers& candidates, const Mesh& source,
@@ -47,7 +41,7 @@ TriangleNumbers unreached(const Mesh& mesh, const TriangleNumbers& candidates, c
     const NearestPlace place = nearest.nearest(middle);
     if (!isOnBorder(source, topology, place)) continue;
     const Point3 away = middle - place.point;
-    const Point3 normal = normalOf(source, place.triangle);
+    const Point3 normal = triangleNormal(source, place.triangle);
     if ((away - away.dot(normal) * normal).norm() > within_mm) result.push_back(number);
   }
   return result;
@@ -62,7 +56,7 @@ std::vector<Point3> unreached(const std::vector<Point3>& points, const Mesh& sou
   for (const Point3& point : points) {
     const NearestPlace place = nearest.nearest(point);
     if (!isOnBorder(source, topology, place)) continue;
-    const Point3 normal = normalOf(source, place.triangle);
+    const Point3 normal = triangleNormal(source, place.triangle);
     const Point3 away = point - place.point;
     const double ahead = away.dot(normal);
     if ((away - ahead * normal).norm() > within_mm + per_mm * std::max(0.0, ahead)) result.push_back(point);

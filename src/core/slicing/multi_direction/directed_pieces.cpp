@@ -105,7 +105,8 @@ Mesh hangingIn(const CutSequence& sequence, const CutQuestion& question) {
   return hanging;
 }
 
-void requireSupported(const DirectedPieces& found, const CutSequence& sequence, const CutQuestion& question) {
+void requireSupported(const DirectedPieces& found, const CutSequence& sequence, const CutQuestion& question,
+                      double height_mm, Progress& progress) {
   const double share = 100.0 * found.unsupported() / found.surface_mm2;
   if (share <= question.settings.largest_unsupported_percent) return;
   char text[320];
@@ -113,10 +114,11 @@ void requireSupported(const DirectedPieces& found, const CutSequence& sequence, 
       text, sizeof text,
       "%.2f %% of the surface (%.4g mm²) overhangs by more than %.4g deg after %zu cuts; expected at "
       "most %.4g %% (directions.largest_unsupported_percent): turn the part, or take "
-      "slicing.mode 'volumetric'",
+      "slicing.mode 'volumetric'; ",
       share, found.unsupported(), question.settings.max_overhang_deg, sequence.cuts.size(),
       question.settings.largest_unsupported_percent);
-  throw Unsliceable(text, sequence.rest.meshOf(hangingFaces(sequence.rest, question).faces));
+  throw Unsliceable(text + textOf(cutObstacles(sequence, question, progress), height_mm),
+                    sequence.rest.meshOf(hangingFaces(sequence.rest, question).faces));
 }
 
 /// What of a plane across one piece is above that of another, as a square that reaches beyond the part
@@ -200,7 +202,7 @@ DirectedPieces directedPieces(const Mesh& mesh, const MeshTopology& topology, co
   found.unsupported_level_mm2 = hangingFaces(faces, question).area_mm2;
   found.cut_mm2 = sequence.cut_mm2;
   found.pieces = piecesOf(sequence, hangingFaces(sequence.rest, question).area_mm2, cells, box);
-  requireSupported(found, sequence, question);
+  requireSupported(found, sequence, question, box.high.z() - box.low.z(), progress);
   found.hanging = hangingIn(sequence, question);
   found.room = std::make_shared<const HeadRoom>(
       std::make_shared<const PiecewiseGrowth>(std::move(cells), found.pieces), request.head, box.low.z());

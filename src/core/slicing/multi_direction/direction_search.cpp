@@ -151,7 +151,52 @@ class CutSearch {
     return std::move(best.sequence);
   }
 
+  /// Of cuts in what a sequence leaves.
+  CutObstacles obstacles(const CutSequence& sequence) const {
+    PartLeft part{sequence, CellsLeft(question_.cells.nodeCount(), 1), hangingFaces(sequence.rest, question_),
+                  0.0};
+    for (const CuttingPlane& cut : sequence.cuts)
+      if (TriedCut tried = cutCells(question_.cells, part.cells, cut, question_.rules); tried)
+        part.cells = std::move(tried.cells.left);
+    std::vector<DirectionObstacle> of_direction(directions_.size());
+    parallelFor(
+        directions_.size(), [&](std::size_t i) { of_direction[i] = obstacleAlong(part, directions_[i]); },
+        progress_, "directions");
+    CutObstacles all;
+    all.least_gain_mm2 = kCutShare * surface_mm2_;
+    all.least_base_mm2 = question_.rules.least_base_mm2;
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+      ++all.directions[static_cast<std::size_t>(of_direction[i])];
+      if (of_direction[i] == DirectionObstacle::Bed)
+        all.least_tip_mm = std::min(all.least_tip_mm, leastTipHeight(question_.rules.head, directions_[i]));
+    }
+    return all;
+  }
+
  private:
+  /// Of the lowest plane that is proposed.
+  DirectionObstacle obstacleAlong(const PartLeft& part, const Point3& up) const {
+    if (proposalsAbove(-std::numeric_limits<double>::infinity(), part, up).empty())
+      return DirectionObstacle::Gain;
+    const std::vector<CutProposal> proposals = proposalsAlong(part, up);
+    if (proposals.empty()) return DirectionObstacle::Bed;
+    const CuttingPlane& lowest = proposals.front().plane;
+    switch (cutCells(question_.cells, part.cells, lowest, question_.rules).fault) {
+      case CutFault::InBed:
+        return DirectionObstacle::Bed;
+      case CutFault::SmallBase:
+        return DirectionObstacle::Base;
+      case CutFault::LooseRest:
+        return DirectionObstacle::Rest;
+      case CutFault::SmallPiece:
+        return DirectionObstacle::Gain;
+      case CutFault::None:
+        break;
+    }
+    const bool is_worth = levelGain(part, lowest) > kCutShare * surface_mm2_;
+    return is_worth ? DirectionObstacle::Price : DirectionObstacle::Gain;
+  }
+
   double priceOf(const HoldingCut& cut) const {
     return cut.hanging_mm2 + kCutShare * surface_mm2_ + kCutAreaShare * cut.cells.area_mm2;
   }
@@ -228,6 +273,10 @@ class CutSearch {
   }
 
   std::vector<CutProposal> proposalsAlong(const PartLeft& part, const Point3& up) const {
+    return proposalsAbove(lowestClearOfBed(question_.cells, part.cells, up, question_.rules), part, up);
+  }
+
+  std::vector<CutProposal> proposalsAbove(double clear_mm, const PartLeft& part, const Point3& up) const {
     const FacePolygons& faces = part.sequence.rest;
     const auto [low, high] = rangeAlong(faces, up);
     AreaAbove level(low, high, step_mm_);
@@ -241,11 +290,10 @@ class CutSearch {
       nothing_above = std::max(nothing_above, highestAlong(faces, face, up));
     }
     own.sum();
-    const double clear = lowestClearOfBed(question_.cells, part.cells, up, question_.rules);
     std::vector<CutProposal> proposals;
     for (const double share : kLeftShares) {
       const double wanted = share == 0.0 ? nothing_above : own.lowestWithin(share * part.hanging.area_mm2);
-      const double from = std::max(wanted, clear);
+      const double from = std::max(wanted, clear_mm);
       const double gain = level.above(from) - kCutShare * surface_mm2_;
       if (gain <= 0.0 || (!proposals.empty() && proposals.back().plane.from_mm == from)) continue;
       proposals.push_back({{up, from}, gain, high});
@@ -293,9 +341,9 @@ class CutSearch {
   }
 
   std::optional<HoldingCut> valued(const PartLeft& part, const CuttingPlane& plane) const {
-    std::optional<CutCells> cells = cutCells(question_.cells, part.cells, plane, question_.rules);
-    if (!cells) return std::nullopt;
-    HoldingCut cut{plane, std::move(*cells), 0.0, 0.0};
+    TriedCut tried = cutCells(question_.cells, part.cells, plane, question_.rules);
+    if (!tried) return std::nullopt;
+    HoldingCut cut{plane, std::move(tried.cells), 0.0, 0.0};
     const FacePolygons& faces = part.sequence.rest;
     for (std::uint32_t face = 0; face < faces.count(); ++face)
       if (faces.normal(face).dot(plane.up) < overhangLimit(question_))
@@ -336,6 +384,10 @@ HangingFaces hangingFaces(const FacePolygons& faces, const CutQuestion& question
 
 CutSequence bestCuts(const CutQuestion& question, Progress& progress) {
   return CutSearch(question, progress).best();
+}
+
+CutObstacles cutObstacles(const CutSequence& sequence, const CutQuestion& question, Progress& progress) {
+  return CutSearch(question, progress).obstacles(sequence);
 }
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/slicing/multi_direction/direction_settings.hpp"
+#include "slicing/multi_direction/cut_obstacles.hpp"
 #include "slicing/multi_direction/piece_cells.hpp"
 
 namespace lamina {
@@ -45,5 +46,9 @@ struct CutSequence {
 /// The cut sequence that leaves the least overhanging area, by a beam search (see `directedPieces`).
 /// @throws Cancelled
 CutSequence bestCuts(const CutQuestion& question, Progress& progress);
+
+/// Why what a sequence leaves is not cut any further, for each direction.
+/// @throws Cancelled
+CutObstacles cutObstacles(const CutSequence& sequence, const CutQuestion& question, Progress& progress);
 
 }  // namespace lamina

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -81,9 +82,9 @@ double leastTipHeight(const std::vector<HeadStage>& head, const Point3& up) {
   return least;
 }
 
-std::optional<CutCells> cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
-                                 const CutRules& rules) {
-  if (plane.from_mm < lowestClearOfBed(cells, left, plane.up, rules)) return std::nullopt;
+TriedCut cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
+                  const CutRules& rules) {
+  if (plane.from_mm < lowestClearOfBed(cells, left, plane.up, rules)) return {CutFault::InBed, {}};
   SidesOfPlane sides(cells, left, plane);
   CutCells cut;
   cut.left = left;
@@ -93,11 +94,12 @@ std::optional<CutCells> cutCells(const CellGraph& cells, const CellsLeft& left, 
     if (sides.of(node) != kAbove) continue;
     const Clump clump = sides.seen(node);
     const double base_mm2 = clump.base_mm3 / cell;
-    if (base_mm2 < rules.least_base_mm2 && clump.volume_mm3 > kCrumb * whole) return std::nullopt;
+    if (base_mm2 < rules.least_base_mm2 && clump.volume_mm3 > kCrumb * whole)
+      return {CutFault::SmallBase, {}};
     cut.volume_mm3 += clump.volume_mm3;
     cut.area_mm2 += base_mm2;
   }
-  if (cut.volume_mm3 < kLeastPiece * whole) return std::nullopt;
+  if (cut.volume_mm3 < kLeastPiece * whole) return {CutFault::SmallPiece, {}};
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node)
     if (sides.of(node) == kSeen) cut.left[node] = 0;
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node)
@@ -105,8 +107,8 @@ std::optional<CutCells> cutCells(const CellGraph& cells, const CellsLeft& left, 
   double loose_mm3 = 0.0;
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node)
     if (sides.of(node) == kBelow) loose_mm3 += cells.volume(node);
-  if (loose_mm3 > kCrumb * whole) return std::nullopt;
-  return cut;
+  if (loose_mm3 > kCrumb * whole) return {CutFault::LooseRest, {}};
+  return {CutFault::None, std::move(cut)};
 }
 
 }  // namespace lamina

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "lamina/slicing/volumetric/head_room.hpp"
@@ -30,12 +29,23 @@ struct CutCells {
   CellsLeft left;
 };
 
-/// Cuts off the cells above a plane. Nothing if the plane is not allowed as a cut: no cells are above it; the
-/// bed is above it; what remains is not connected to the bed; a connected part of the piece has too small a
-/// base; or the head would be in the bed. Parts smaller than a ten thousandth of the part's volume are exempt
-/// from this.
-std::optional<CutCells> cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
-                                 const CutRules& rules);
+/// Why a plane is not allowed as a cut: the head or the plane would be in the bed; a connected part of the
+/// piece lies on too small a base; hardly any cells are above the plane; or what remains is not connected to
+/// the bed.
+enum class CutFault { None, InBed, SmallBase, SmallPiece, LooseRest };
+
+/// A plane as a cut: what it cuts off, or why it is none.
+struct TriedCut {
+  CutFault fault = CutFault::None;
+  CutCells cells;  ///< of a cut without fault
+
+  explicit operator bool() const { return fault == CutFault::None; }
+};
+
+/// Cuts off the cells above a plane, if the plane is allowed as a cut. Parts smaller than a ten thousandth of
+/// the part's volume need neither a base nor a connection to the bed.
+TriedCut cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
+                  const CutRules& rules);
 
 /// Position of the lowest plane across the direction `up`, measured along it, above which the head does not
 /// touch the bed and which does not have the bed above it [mm].

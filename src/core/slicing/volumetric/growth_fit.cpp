@@ -8,17 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/slicing/unsliceable.hpp"
-#include "slicing/volumetric/skin_samples.hpp"
+#include "slicing/volumetric/even_lengths.hpp"
+#include "slicing/volumetric/limb_ends.hpp"
+#include "slicing/volumetric/skin_parts.hpp"
 
 namespace lamina {
 namespace {
@@ -29,74 +26,12 @@ using Triplet = Eigen::Triplet<double>;
 constexpr double kSmoothingCells = 2.0;
 constexpr double kSkinWeight = 100.0;    // of the direction wanted at a skin, over that of the field there
 constexpr double kFold = 0.5;            // cosine between neighbours' directions, below which fronts meet
-constexpr double kFlat = 0.9998;         // cosine between normals of one flat face
 constexpr double kThinnerShare = 0.005;  // of the volume
 constexpr double kLevelGradient = 0.02;  // from that of level growth
-constexpr double kLimbCells = 3.0;
-constexpr double kFacetShare = 0.1;  // of the area of the largest face at an end
 constexpr double kResidual = 1e-7;
 constexpr int kIterations = 2000;
 // Of the squares of the 26 ways to neighbours along any direction, each way counted from one of its ends.
 constexpr double kPerLink = 3.0 / 13.0;
-
-/// Part of the surface near a node.
-struct SkinPart {
-  std::uint32_t node = CellGraph::kNone;
-  std::uint32_t triangle = 0;
-  Point3 normal = Point3::Zero();
-};
-
-bool isSamePart(const SkinPart& a, const SkinPart& b) {
-  return a.node == b.node && a.normal.dot(b.normal) > kFlat;
-}
-
-Point3 normalOf(const Mesh& mesh, std::size_t triangle) {
-  const Triangle& corner = mesh.triangles[triangle];
-  const Point3& first = mesh.vertices[corner[0]];
-  return (mesh.vertices[corner[1]] - first).cross(mesh.vertices[corner[2]] - first).normalized();
-}
-
-double areaOf(const Mesh& mesh, std::size_t triangle) {
-  const Triangle& corner = mesh.triangles[triangle];
-  const Point3& first = mesh.vertices[corner[0]];
-  return 0.5 * (mesh.vertices[corner[1]] - first).cross(mesh.vertices[corner[2]] - first).norm();
-}
-
-bool isBefore(const SkinPart& a, const SkinPart& b) { return a.node < b.node; }
-
-/// The parts at a node, of parts by nodes.
-std::pair<const SkinPart*, const SkinPart*> partsAt(const std::vector<SkinPart>& parts, std::uint32_t node) {
-  const auto [first, last] = std::equal_range(parts.begin(), parts.end(), SkinPart{node}, isBefore);
-  return {parts.data() + (first - parts.begin()), parts.data() + (last - parts.begin())};
-}
-
-/// By nodes; parts of one node that face the same way are one. A node that is but a sliver at the skin has
-/// those of its neighbours that lie farther in.
-std::vector<SkinPart> skinParts(const Mesh& mesh, const CellGraph& cells, Progress& progress) {
-  std::vector<SkinPart> parts;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (i % 4096 == 0) throwIfCancelled(progress, "fit");
-    const Point3 normal = normalOf(mesh, i);
-    std::array<Point3, 3> corner;
-    for (std::size_t side = 0; side < 3; ++side) corner[side] = mesh.vertices[mesh.triangles[i][side]];
-    visitParts(corner, cells.frame().voxel_mm, [&](const auto&, const Point3& place, double) {
-      const SkinPart part{nodeBelow(cells, place, normal), i, normal};
-      if (part.node != CellGraph::kNone && (parts.empty() || !isSamePart(part, parts.back())))
-        parts.push_back(part);
-    });
-  }
-  std::stable_sort(parts.begin(), parts.end(), isBefore);
-  parts.erase(std::unique(parts.begin(), parts.end(), isSamePart), parts.end());
-  std::vector<SkinPart> all = parts;
-  for (const SkinPart& part : parts)
-    for (const std::uint32_t near : cells.links(part.node)) {
-      const auto [first, last] = partsAt(parts, near);
-      if (first == last && part.normal.dot(cells.middle(near) - cells.middle(part.node)) > 0.0)
-        all.push_back({near, part.triangle, part.normal});
-    }
-  std::stable_sort(all.begin(), all.end(), isBefore);
-  return all;
-}
 
 /// A direction at an angle from another, in the plane of both.
 Point3 atAngle(const Point3& direction, const Point3& from, double angle_rad) {
@@ -151,7 +86,7 @@ class GrowthFit {
     const PoissonSolver poisson(poissonMatrix(stands));
     const PoissonSolver smoothing(smoothingMatrix());
     const std::vector<Point3> along =
-        request_.target == GrowthTarget::Tangent ? directionsAlong(endNormals()) : std::vector<Point3>();
+        request_.target == GrowthTarget::Tangent ? gradientsAlong(poisson, stands) : std::vector<Point3>();
     std::vector<Point3> wanted;
     for (int round = 0; round < request_.rounds; ++round) {
       progress_.report("fit", static_cast<double>(round) / request_.rounds);
@@ -274,147 +209,52 @@ class GrowthFit {
     return directions;
   }
 
-  /// The normal at nodes at those flat faces of the surface that are farthest from the bed; 0 at the others.
-  std::vector<Point3> endNormals() const {
-    std::vector<char> is_end_face(mesh_.triangles.size(), 0);
-    const std::vector<double> distances = distancesFromBed();
-    for (const std::uint32_t node : farthestNodes(distances))
-      for (const std::uint32_t triangle : endFace(node, distances)) is_end_face[triangle] = 1;
-    std::vector<Point3> ends(cells_.nodeCount(), Point3::Zero());
-    bool is_found = false;
-    for (const SkinPart& part : skin_) {
-      if (is_end_face[part.triangle] == 0 || !isReached(part.node)) continue;
-      ends[part.node] = part.normal;
-      is_found = true;
-    }
-    if (!is_found)
+  /// As `LimbQuestion` has them.
+  std::vector<double> depthsIn(const PoissonSolver& poisson, const std::vector<char>& stands) const {
+    const auto count = static_cast<Eigen::Index>(cells_.nodeCount());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      if (stands[node] == 0) right[node] = cells_.volume(node);
+    const Eigen::VectorXd field = poisson.solve(right, Eigen::VectorXd::Zero(count));
+    std::vector<double> depths(cells_.nodeCount(), -1.0);
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      if (isReached(node)) depths[node] = std::max(0.0, field[node]);
+    return depths;
+  }
+
+  /// Along the part from the bed to its ends, by the harmonic field between them.
+  std::vector<Point3> gradientsAlong(const PoissonSolver& poisson, const std::vector<char>& stands) const {
+    const std::vector<double> depths = depthsIn(poisson, stands);
+    const std::vector<Point3> ends = limbEnds({mesh_, cells_, skin_, depths});
+    if (std::all_of(ends.begin(), ends.end(), [](const Point3& normal) { return normal.isZero(); }))
       throw Unsliceable(
           "no end of the part was found for volumetric.target=tangent; expected a face of the surface that "
           "is farther from the bed, through the part, than all around",
           mesh_);
-    return ends;
-  }
-
-  /// Through the part, from node to node [mm].
-  std::vector<double> distancesFromBed() const {
-    using Reach = std::pair<double, std::uint32_t>;
-    std::priority_queue<Reach, std::vector<Reach>, std::greater<>> queue;
-    std::vector<double> distances(cells_.nodeCount(), std::numeric_limits<double>::infinity());
-    const std::vector<char> stands = standing();
-    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
-      if (stands[node] != 0 && isReached(node)) {
-        distances[node] = 0.0;
-        queue.emplace(0.0, node);
-      }
-    while (!queue.empty()) {
-      const auto [distance, node] = queue.top();
-      queue.pop();
-      if (distance > distances[node]) continue;
-      for (const std::uint32_t near : cells_.links(node)) {
-        const double next = distance + (cells_.middle(near) - cells_.middle(node)).norm();
-        if (!isReached(near) || next >= distances[near]) continue;
-        distances[near] = next;
-        queue.emplace(next, near);
-      }
-    }
-    return distances;
-  }
-
-  /// Of each limb of the part the node farthest from the bed: what is farther is joined to it only by what is
-  /// nearer by more than a few cells.
-  std::vector<std::uint32_t> farthestNodes(const std::vector<double>& distances) const {
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
-      if (isReached(node)) order.push_back(node);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return distances[a] > distances[b]; });
-    std::vector<std::uint32_t> farthest(cells_.nodeCount(), CellGraph::kNone);  // of the limb, or towards it
-    const auto farthestOf = [&](std::uint32_t node) {
-      while (farthest[node] != node) node = farthest[node] = farthest[farthest[node]];
-      return node;
-    };
-    std::vector<char> is_limb(cells_.nodeCount(), 0);
-    for (const std::uint32_t node : order) {
-      farthest[node] = node;
-      is_limb[node] = 1;
-      for (const std::uint32_t near : cells_.links(node)) {
-        if (farthest[near] == CellGraph::kNone) continue;
-        std::uint32_t limb = farthestOf(near);
-        std::uint32_t own = farthestOf(node);
-        if (limb == own) continue;
-        if (distances[limb] < distances[own] || (distances[limb] == distances[own] && limb > own))
-          std::swap(limb, own);
-        farthest[own] = limb;
-        if (distances[own] - distances[node] < kLimbCells * cells_.frame().voxel_mm) is_limb[own] = 0;
-      }
-    }
-    std::vector<std::uint32_t> ends;
-    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
-      if (is_limb[node] != 0) ends.push_back(node);
-    return ends;
-  }
-
-  /// The flat face of the surface at a node, or beside it, that is farthest from the bed on average. Faces
-  /// much smaller than the largest there are facets of a round wall.
-  TriangleNumbers endFace(std::uint32_t node, const std::vector<double>& distances) const {
-    std::vector<TriangleNumbers> faces;
-    std::vector<double> areas;
-    const auto look = [&](std::uint32_t at) {
-      const auto [first, last] = partsAt(skin_, at);
-      for (const SkinPart* part = first; part != last; ++part) {
-        faces.push_back(flatFace(part->triangle));
-        double area = 0.0;
-        for (const std::uint32_t triangle : faces.back()) area += areaOf(mesh_, triangle);
-        areas.push_back(area);
-      }
-    };
-    look(node);
-    for (const std::uint32_t near : cells_.links(node)) look(near);
-    if (faces.empty()) return {};
-    const double least_area = kFacetShare * *std::max_element(areas.begin(), areas.end());
-    std::size_t best = 0;
-    double farthest = -1.0;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const double distance = areas[i] < least_area ? -1.0 : meanDistance(faces[i], distances);
-      if (distance <= farthest) continue;
-      farthest = distance;
-      best = i;
-    }
-    return std::move(faces[best]);
-  }
-
-  double meanDistance(const TriangleNumbers& face, const std::vector<double>& distances) const {
-    double sum = 0.0;
-    double parts = 0.0;
-    for (const SkinPart& part : skin_) {
-      if (!isReached(part.node) || !std::binary_search(face.begin(), face.end(), part.triangle)) continue;
-      sum += distances[part.node];
-      parts += 1.0;
-    }
-    return parts > 0.0 ? sum / parts : 0.0;
-  }
-
-  /// Triangles in the plane of one, that face as it does.
-  TriangleNumbers flatFace(std::uint32_t triangle) const {
-    const Point3 normal = normalOf(mesh_, triangle);
-    const Point3& on = mesh_.vertices[mesh_.triangles[triangle][0]];
-    TriangleNumbers face;
-    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i)
-      if (std::abs((mesh_.vertices[mesh_.triangles[i][0]] - on).dot(normal)) < cells_.bitSide() &&
-          normalOf(mesh_, i).dot(normal) > kFlat)
-        face.push_back(i);
-    return face;
-  }
-
-  /// Gradient of the harmonic field between bed and ends.
-  std::vector<Point3> directionsAlong(const std::vector<Point3>& ends) const {
-    std::vector<char> given = standing();
+    std::vector<char> given = stands;
     std::vector<double> value(cells_.nodeCount(), 0.0);
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
       if (!ends[node].isZero() && given[node] == 0) {
         given[node] = 1;
         value[node] = 1.0;
       }
+    const std::vector<double> field = harmonic(given, value);
+    const std::vector<Point3> gradients = gradientsOf(field);
+    // Where neighbours were too few for a gradient, there is only that of the arrival.
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      if (gradients[node] == arrived_[node]) given[node] = 1;
+    const std::vector<double> lengths = evenLengths({cells_, field, gradients, given});
+    const double most = request_.limits.max_thickness;
+    std::vector<Point3> along(cells_.nodeCount(), Point3::Zero());
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node) {
+      const Point3& direction = ends[node].isZero() ? gradients[node] : ends[node];
+      along[node] = std::clamp(lengths[node], 1.0 / most, most) * direction.normalized();
+    }
+    return along;
+  }
+
+  /// The field that has values at the nodes where they are given, and between them no sources.
+  std::vector<double> harmonic(const std::vector<char>& given, const std::vector<double>& value) const {
     const auto count = static_cast<Eigen::Index>(cells_.nodeCount());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
     forEachLink([&](std::uint32_t a, std::uint32_t b, double weight) {
@@ -425,18 +265,20 @@ class GrowthFit {
       if (given[static_cast<std::size_t>(i)] != 0) right[i] = value[static_cast<std::size_t>(i)];
     const Eigen::VectorXd field =
         PoissonSolver(poissonMatrix(given)).solve(right, Eigen::VectorXd::Zero(count));
-    std::vector<Point3> along = gradientsOf(std::vector<double>(field.data(), field.data() + count));
-    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
-      if (!ends[node].isZero()) along[node] = ends[node];
-    return along;
+    return {field.data(), field.data() + count};
   }
 
-  /// Directions within the limits, of the length that growth is to have.
+  /// Directions within the limits, of the length that growth is to have: their own along a part, else that of
+  /// the arrival.
   std::vector<Point3> wantedGradients(std::vector<Point3> directions, const std::vector<char>& stands) const {
+    const bool is_along = request_.target == GrowthTarget::Tangent;
+    std::vector<double> lengths(cells_.nodeCount(), 1.0);
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node) {
       if (!isReached(node)) continue;
       Point3& direction = directions[node];
       if (!(direction.norm() > 0.0)) direction = arrived_[node];
+      lengths[node] = is_along ? direction.norm()
+                               : std::clamp(arrived_[node].norm(), 1.0 / request_.limits.max_thickness, 1.0);
       direction.normalize();
     }
     const double deepest = -std::sin(request_.limits.overhang_rad);
@@ -450,8 +292,7 @@ class GrowthFit {
       Point3& direction = directions[node];
       if (direction.z() < std::cos(request_.limits.max_tilt_rad))
         direction = atAngle(direction, Point3::UnitZ(), request_.limits.max_tilt_rad);
-      if (request_.target != GrowthTarget::Tangent)
-        direction *= std::clamp(arrived_[node].norm(), 1.0 / request_.limits.max_thickness, 1.0);
+      direction *= lengths[node];
     }
     return directions;
   }

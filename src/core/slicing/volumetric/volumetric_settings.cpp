@@ -44,8 +44,10 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
                 "Of the part's volume: how much may hang where no layer leads before it is refused.");
   schema.number("volumetric.largest_unsupported_percent", settings.largest_unsupported_percent, {0.0, 100.0},
                 "Of the part's surface: how much may overhang by more than is taken before it is refused.");
-  schema.number("volumetric.largest_left_out_percent", settings.largest_left_out_percent, {0.0, 10.0},
-                "Of what is deposited: how much may be left out where the head has no room for it.");
+  schema.number(
+      "volumetric.largest_left_out_percent", settings.largest_left_out_percent, {0.0, 10.0},
+      "Of what a head that tilts deposits, in any slicing mode: how much may be left out where it has no "
+      "room.");
 }
 
 void requireConsistent(const VolumetricSettings& settings) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "job/modes/fit/plan_check.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -84,6 +86,29 @@ TEST(StackFit, LeavesOutWhereTheHeadHasNoRoom) {
   ASSERT_FALSE(fit.notes.empty());
   EXPECT_NE(fit.notes.back().find("are left out there"), std::string::npos) << fit.notes.back();
   EXPECT_EQ(toolpathId(plan.fit(fit.toolpath).toolpath), toolpathId(fit.toolpath)) << "it can be run";
+}
+
+/// A bead near the bed, with the tool axis leaning by an angle to its side all the way.
+Toolpath beadLeaningAside(double lean_deg) {
+  Toolpath toolpath = uprightBeads({{{-20, 0, 8}, {20, 0, 8}}});
+  const Eigen::Quaterniond lean(Eigen::AngleAxisd(toRadians(lean_deg), Point3::UnitX()));
+  for (Path& path : toolpath.layers.front().paths)
+    path.orientation = AlongPath<Eigen::Quaterniond>(lean * Eigen::Quaterniond(0, 1, 0, 0));
+  return toolpath;
+}
+
+// The head turns 120 mm above the tip, and reaches down to 20 mm above the bed: at 8 mm and 88 deg it would
+// have to be at 12 mm.
+TEST(StackFit, LeansLessWhereAJointWouldBeBeyondItsLimits) {
+  TiltingHeadPlan plan;
+  const Toolpath planned = beadLeaningAside(88.0);
+  const StackFit fit = plan.fit(planned);
+  ASSERT_FALSE(fit.notes.empty());
+  EXPECT_NE(fit.notes.front().find("leans less than the layers ask"), std::string::npos) << fit.notes.front();
+  EXPECT_NEAR(totals(fit.toolpath).deposited_mm3, totals(planned).deposited_mm3, 1e-9);
+  const AlongPath<Eigen::Quaterniond>& held = fit.toolpath.layers.front().paths.back().orientation;
+  const Point3 jet = held.at(0) * Point3::UnitZ();
+  EXPECT_GE(8.0 - 120.0 * jet.z(), 20.0 - 1e-6);
 }
 
 TEST(StackFit, LeavesAsItIsWhatIsNotRefused) {

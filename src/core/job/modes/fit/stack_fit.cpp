@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/modes/fit/stack_fit.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <utility>
@@ -23,11 +25,28 @@ constexpr double kSettledRad = toRadians(1.0);
 
 std::size_t hindered(const MachineCheck& check) { return check.faults.size() + check.collisions.size(); }
 
-/// Whether joints turn too far beside a singularity, if anything is at fault: more room changes nothing where
-/// a place is out of reach.
-bool isMendable(const MachineCheck& check) {
-  return std::all_of(check.faults.begin(), check.faults.end(),
-                     [](const Finding& fault) { return fault.what == toString(JointFault::Singular); });
+bool isOf(JointFault fault, const Finding& finding) { return finding.what == toString(fault); }
+
+/// Whether the tool axis leans at a waypoint.
+bool isLeaning(const Toolpath& toolpath, const WaypointIndex& at, const Eigen::Isometry3d& bed_from_part) {
+  const Path& path = toolpath.layers[at.layer].paths[at.path];
+  const Point3 jet = bed_from_part.linear() * (path.orientation.at(at.waypoint) * Point3::UnitZ());
+  return jet.z() > -std::cos(kSettledRad);
+}
+
+/// Whether all that is at fault are joints that turn too far beside a singularity, or are beyond their limits
+/// where the tool axis leans: less lean, as near the bed, may bring them back. More room changes nothing
+/// where a place is out of reach.
+bool isMendable(const MachineCheck& check, const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
+  return std::all_of(check.faults.begin(), check.faults.end(), [&](const Finding& fault) {
+    return isOf(JointFault::Singular, fault) ||
+           (isOf(JointFault::OutOfLimits, fault) && isLeaning(toolpath, fault.at, bed_from_part));
+  });
+}
+
+bool isBeyondLimits(const MachineCheck& check) {
+  return std::any_of(check.faults.begin(), check.faults.end(),
+                     [](const Finding& fault) { return isOf(JointFault::OutOfLimits, fault); });
 }
 
 TravelsOverPart asPlanned(Toolpath& /*toolpath*/) { return {}; }
@@ -43,10 +62,11 @@ class StackFitting {
 
   StackFit fit(Toolpath planned) {
     found_ = checked(planned);
-    if (found_.isClear() || !isMendable(found_)) return {std::move(planned), {}};
+    if (found_.isClear() || !isMendable(found_, planned, request_.bed_from_part))
+      return {std::move(planned), {}};
     fitted_.toolpath = planned;
     if (!found_.faults.empty()) settle();
-    if (!found_.collisions.empty()) raise();
+    if (!found_.collisions.empty() || isBeyondLimits(found_)) raise();
     if (!found_.isClear()) cut();
     if (found_.isClear()) return std::move(fitted_);
     return {std::move(planned), {}};

@@ -34,9 +34,9 @@ struct StackFit {
 
 /// Fits a stack of layers to a machine that can turn the tool axis, if its program would be refused
 /// otherwise. Tool axes are settled (`settleAxes`) if joints turn too far, and raised (`raiseToolAxes`) if
-/// the machine runs into something, each only if that leaves fewer places that the machine cannot run; what
-/// is left is cut (`fitToMachine`). A stack that is not refused, or is refused nevertheless, is returned as
-/// it was planned.
+/// the machine runs into something or a joint is beyond its limits as the tool axis leans, each only if that
+/// leaves fewer places that the machine cannot run; what is left is cut (`fitToMachine`). A stack that is not
+/// refused, or is refused nevertheless, is returned as it was planned.
 /// @param standing_mm  highest z of solid material on the bed before the first layer [part frame]
 /// @param progress     stages "joints" and "clearance"
 /// @throws as `fitToMachine`
