@@ -15,7 +15,8 @@
 namespace lamina {
 
 /// Figures of a layer from the estimates of its cells. Shares and means are over the cells, weighted by
-/// length, unless stated otherwise.
+/// length, unless stated otherwise. Errors and `deviating_share` are those of the cells seen if the layer is
+/// measured, else of all cells, as predicted.
 struct LayerFigures {
   std::size_t layer = 0;
   double height_mm = 0.0;  ///< mean planned height
@@ -143,6 +144,7 @@ class HeightLoop {
   std::vector<MeasuredGain> sectionGains() const;
   void learn(const std::vector<MeasuredGain>& measured);
   void learnSpread();
+  void judgeErrors(LayerFigures& figures, const std::vector<double>& seen) const;
   LayerFigures figures() const;
 
   LoopSettings settings_;
