@@ -12,6 +12,7 @@
 
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
+#include "lamina/control/run/fallen_watch.hpp"
 #include "lamina/control/run/layer_progress.hpp"
 #include "lamina/control/run/loop_memory.hpp"
 #include "lamina/control/run/loop_run_settings.hpp"
@@ -188,7 +189,7 @@ class LoopRun {
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
   void use(const LayerReading& reading);
-  void watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
+  void watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
   void watch(double blind_s);
   LoopMemory memory(std::size_t layer) const;
@@ -264,6 +265,7 @@ class LoopRun {
   OffsetWatch offset_;
   OffsetLeft offset_left_;  ///< by the last layer that shows an offset
   LumpWatch lump_;          ///< highest lump above the layer under way, as scanned
+  FallenWatch fallen_;      ///< what came off that layer, as scanned
   Box3 ground_;             ///< of that layer, without its height
   SensorMotion motion_;     ///< [toolpath]
   StandingAlarms watched_;

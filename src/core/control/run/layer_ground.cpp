@@ -13,6 +13,13 @@ double widestBead(const LayerCells& cells) {
   return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
 }
 
+double highestCell(const std::vector<CellEstimate>& estimates) {
+  double highest = -1e9;
+  for (const CellEstimate& cell : estimates)
+    if (cell.isKnown()) highest = std::max(highest, -cell.error());
+  return highest;
+}
+
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
   Box3 ground;
   const double reach = widestBead(cells);

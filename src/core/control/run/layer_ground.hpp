@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "lamina/control/cell_estimate.hpp"
 #include "lamina/control/layer_cells.hpp"
 #include "lamina/geometry/vector.hpp"
 
@@ -12,6 +13,9 @@ namespace lamina {
 
 /// Width of a layer's widest bead [mm]; 0 without cells.
 double widestBead(const LayerCells& cells);
+
+/// Height of the highest known cell above the planned ground of its layer [mm]; -1e9 if none is known.
+double highestCell(const std::vector<CellEstimate>& estimates);
 
 /// The area over which a layer lies, widened by the width of its beads [mm]: the bounding box of its cells'
 /// middles, projected along the layers' normal onto the plane through the origin.

@@ -30,14 +30,6 @@ std::string reasonOf(const MissedMap& missed) {
                                 : missed.reason);
 }
 
-/// Height of the highest known cell above the planned ground of the layer [mm].
-double highestCell(const std::vector<CellEstimate>& estimates) {
-  double highest = -1e9;
-  for (const CellEstimate& cell : estimates)
-    if (cell.isKnown()) highest = std::max(highest, -cell.error());
-  return highest;
-}
-
 }  // namespace
 
 LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
@@ -300,13 +292,22 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
   if (layer_) readCloud(cloud);
 }
 
-/// What stands higher than cells are looked for. A layer that is not plane has no one height.
-void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
+/// What stands higher or lies lower than cells are looked for. A layer that is not plane has no one height.
+void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
   if (!atlas_.isPlane(*layer_)) return;
-  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
+  const double layer_mm = loop_->cells().height_mm.front();
   const double top = loop_->cells().middle.front().dot(normal_);
-  for (double& height : heights) height = std::isfinite(height) ? height - top : LumpWatch::kNone;
+  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
+  for (double& height : heights) height -= top;
   lump_.see(heights);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(heights[i] < -settings_.sight.window_layers * layer_mm)) continue;
+    const Point3 at = toolpath_from_sensor * points[i];
+    if ((part_.bed_from_part * at).z() < -layer_mm) continue;  // below the bed there is nothing
+    const auto over = atlas_.newestAt(Point3(at - heights[i] * normal_));
+    if (over && over->layer == *layer_ && over->across_share <= 0.5 * settings_.sight.crown_share)
+      fallen_.see(over->cell, -heights[i]);
+  }
 }
 
 void LoopRun::watchOffset() {
@@ -343,7 +344,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
-    if (progress_.place().is_scanning) watchLump(points, profile.toolpath_from_sensor);
+    if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(reading);
   }
   loop_->endCloud();
@@ -423,6 +424,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   blockIfLump();
   offset_.begin(loop_->cells().size());
   lump_.reset();
+  fallen_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
   deposited_in_ = status_.state;
   laid_ = wanted();
@@ -515,7 +517,8 @@ bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
 
 void LoopRun::endLayer() {
   watchOffset();
-  const LayerFigures figures = loop_->endLayer();
+  LayerFigures figures = loop_->endLayer();
+  figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
   taught_.end(*loop_, laid_.amount);
   below_ = loop_->estimates();
   below_layer_ = *layer_;
