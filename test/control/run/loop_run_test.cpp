@@ -407,5 +407,22 @@ TEST(LoopRun, HoldsBeforeTheNextLayerWhenAPieceComesOff) {
   EXPECT_TRUE(is_held);
 }
 
+/// Growth by the speed to the power -0.3, which may change by 1 %: cells of a layer differ by 0.6 % at most,
+/// whatever the wave asks for, and the loop knows.
+TEST(LoopRun, KnowsWhatTheLimitsOfSpeedLeaveOfACorrection) {
+  SensedWallCase wall = wallCase();
+  wall.settings.loop.speed_exponent = -0.3;
+  wall.settings.loop.greatest_speed_mm_s = 30.0;
+  wall.settings.loop.heat = 0.01;
+  wall.grows = [](std::size_t, double along_mm) { return 1.0 + 0.1 * std::sin(0.2 * along_mm); };
+  const LayerOutcome layer = sensedWall(wall).layers.at(3);
+  EXPECT_GT(layer.figures.limited_share, 0.5);
+  const auto [least, greatest] =
+      std::minmax_element(layer.cells.begin(), layer.cells.end(),
+                          [](const CellOutcome& a, const CellOutcome& b) { return a.amount < b.amount; });
+  EXPECT_GT(least->amount, 0.0) << "the wire brings the mean";
+  EXPECT_NEAR((1.0 + greatest->amount) / (1.0 + least->amount), std::pow(1.01 / 0.99, 0.3), 1e-4);
+}
+
 }  // namespace
 }  // namespace lamina

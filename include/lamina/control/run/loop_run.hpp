@@ -208,6 +208,7 @@ class LoopRun {
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
+  void realise();
   void publishMap();
   void trimLayer();
   void take(LoopStep step);
@@ -242,6 +243,7 @@ class LoopRun {
   Mapped mapped_;
   bool is_missed_ = false;  ///< whether part of the layer is not deposited by `mapped_`
   LayerCorrection laid_;
+  CellCorrections told_;                     ///< for the machine, of the layer's last map
   std::vector<double> shift_mm_;             ///< shift of the nozzle, by cell
   double mean_shift_mm_ = 0.0;               ///< mean of that over the layer
   double last_amount_ = 0.0;                 ///< amount at the end of the layer before

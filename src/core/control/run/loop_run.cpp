@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/decimals.hpp"
 #include "control/run/cell_corrections.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
@@ -23,12 +22,6 @@ namespace {
 
 constexpr double kShiftBack = 0.2;           // layers per layer, as the nozzle's height is followed
 constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
-
-std::string reasonOf(const MissedMap& missed) {
-  return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
-         (missed.reason.empty() ? "none came within " + significantText(missed.waited_s, 3) + " s"
-                                : missed.reason);
-}
 
 }  // namespace
 
@@ -355,6 +348,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
 void LoopRun::trimLayer() {
   if (!trim_->advance(cellsDeposited(0.0), loop_->estimates())) return;
   laid_.amount = trim_->amount();
+  realise();
   loop_->relay(laid_);
   last_amount_ = laid_.amount.back();
   ++map_sequence_;
@@ -434,6 +428,7 @@ void LoopRun::beginLayer(std::size_t layer) {
         "layer " + std::to_string(*layer_) +
         " was begun while nobody followed the print; expected its map before: it counts as deposited as "
         "planned");
+  realise();
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
@@ -501,12 +496,18 @@ void LoopRun::shiftNozzle() {
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
 }
 
-void LoopRun::publishMap() {
+/// What the speeds that the machine may go leave of the correction is what is laid.
+void LoopRun::realise() {
+  RealisedCorrection result = realised(loop_->cells(), laid_, shift_mm_, settings_.loop);
+  laid_ = std::move(result.laid);
+  told_ = std::move(result.told);
   mapped_ = {laid_, shift_mm_, deposited_in_};
-  const CellCorrections told = cellCorrections(loop_->cells(), laid_.amount, shift_mm_, settings_.loop);
+}
+
+void LoopRun::publishMap() {
   CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
-  if (!told.amount.empty() || !told.dz_mm.empty())
-    map = correctionMap(loop_->cells(), told, part_.toolpath_id, map_sequence_);
+  if (!told_.amount.empty() || !told_.dz_mm.empty())
+    map = correctionMap(loop_->cells(), told_, part_.toolpath_id, map_sequence_);
   news_.maps.push_back(std::move(map));
 }
 
