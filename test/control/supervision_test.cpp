@@ -85,6 +85,12 @@ TEST(Supervision, NamesWhatIsWrongWithTheSensor) {
   watch.is_scanning = true;
   watch.blind_s = 3.0;
   EXPECT_TRUE(raised(afterWatch(activeLoop(), watch, {}), LoopAlarm::NoTransform, LoopReaction::Coast));
+  watch.blind_s = 0.0;
+  watch.unplaced_s = 3.0;
+  const LoopStep unplaced = afterWatch(activeLoop(), watch, {});
+  EXPECT_TRUE(raised(unplaced, LoopAlarm::NoTransform, LoopReaction::Coast));
+  EXPECT_EQ(unplaced.alarms[0].reason,
+            "clouds, but none whose frame tf knows over the bed for 3 s; expected one every 2 s");
   watch = {};
   watch.profiles = 50;
   watch.variance_mm2 = 1e-12;

@@ -171,6 +171,10 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but no pose of the nozzle for " + value(watch.blind_s, " s") + "; expected one every " +
              value(settings.silence_s, " s"));
+  else if (watch.is_scanning && watch.unplaced_s > settings.silence_s)
+    lose(LoopAlarm::NoTransform, CoastingFor::Sight,
+         "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
+             "; expected one every " + value(settings.silence_s, " s"));
   if (watch.profiles >= kStuckProfiles && !(watch.variance_mm2 >= kStuckVariance))
     lose(LoopAlarm::Stuck, CoastingFor::Sight,
          std::to_string(watch.profiles) + " profiles are the same or no numbers, with a variance of " +

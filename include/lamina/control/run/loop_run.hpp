@@ -263,6 +263,7 @@ class LoopRun {
   double settle_mm_ = 0.0;
   SolidCells solid_;
   std::optional<std::int64_t> cloud_ns_;
+  std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
   StuckWatch stuck_;
   OffsetWatch offset_;
   OffsetLeft offset_left_;  ///< by the last layer that shows an offset

@@ -139,6 +139,7 @@ void LoopRun::finish() {
 }
 
 void LoopRun::hear(std::int64_t stamp_ns) {
+  heard_ns_ = stamp_ns;
   const auto latest_tip_ns = events_.latestTip();
   if (!latest_tip_ns || stamp_ns <= *latest_tip_ns) return;
   const double blind_s = secondsFrom(*latest_tip_ns, stamp_ns);
@@ -152,6 +153,7 @@ void LoopRun::restartClock() {
   events_ = StampedEvents();
   tip_ns_.reset();
   cloud_ns_.reset();
+  heard_ns_.reset();
   silent_s_ = 0.0;
   motion_ = SensorMotion();
   solid_.begin();  // what is left behind becomes solid by the new stamps
@@ -241,13 +243,8 @@ void LoopRun::layMapFrom(std::size_t cell) {
 /// The nozzle where the plan has it: what the loop shifts it by is off.
 Point3 LoopRun::correctedTip(const Point3& tip) const {
   if (!layer_ || progress_.place().layer != *layer_ || isAllZero(shift_mm_)) return tip;
-  const PrintPosition& place = progress_.place();
-  const auto& runs = loop_->cells().runs;
-  const auto run = std::lower_bound(runs.begin(), runs.end(), place.path,
-                                    [](const CellRun& each, std::size_t path) { return each.path < path; });
-  if (run == runs.end() || run->path != place.path) return tip;
-  const auto cell = static_cast<std::size_t>(std::max(0.0, place.along_mm / run->cellLength()));
-  return tip - shift_mm_[run->first + std::min(cell, run->count - 1)] * normal_;
+  const auto cell = cellAt(loop_->cells(), progress_.place());
+  return cell ? Point3(tip - shift_mm_[*cell] * normal_) : tip;
 }
 
 void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
@@ -378,7 +375,10 @@ void LoopRun::use(const LayerReading& reading) {
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
   seen.is_scanning = progress_.place().is_scanning;
-  seen.silent_s = silent_s_;
+  // Of clouds that come, and that tf does not place, the sensor is not the cause.
+  const bool hears = heard_ns_ && tip_ns_ && secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
+  seen.silent_s = hears ? 0.0 : silent_s_;
+  seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = blind_s;
   seen.profiles = stuck_.profiles();
   seen.variance_mm2 = stuck_.variance();
