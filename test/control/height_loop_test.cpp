@@ -77,6 +77,26 @@ TEST(HeightLoop, CountsALayerThatIsHardlySeenAsUnmeasured) {
   EXPECT_EQ(figures.gain_mean, 1.0) << "nothing is learnt";
 }
 
+/// Of two beads side by side, one over nothing, the sensor sees the other alone, 0.2 mm too low.
+TEST(HeightLoop, FindsTheErrorsOfTheCellsThatItSaw) {
+  LoopSettings settings;
+  settings.min_coverage = 0.4;
+  settings.alarm_layers = 0.1;  // 0.15 mm
+  HeightLoop loop = loopAfter(settings, 3, 1.0);
+  loop.beginLayer(layerOf(3, {0.0, 50.0}));
+  loop.lay(loop.correction(LoopState::Identifying));
+  const std::size_t seen = loop.cells().runs[1].first;
+  for (std::size_t i = 0; i < seen; ++i) loop.see(i, {0.2, 6, 0.02});
+  loop.endCloud();
+  const LayerFigures figures = loop.endLayer();
+  EXPECT_TRUE(figures.is_measured);
+  EXPECT_NEAR(figures.coverage, 0.5, 1e-12);
+  EXPECT_NEAR(figures.mean_error_mm, 0.2, 0.01);
+  EXPECT_NEAR(figures.rmse_mm, 0.2, 0.01);
+  EXPECT_NEAR(figures.flatness_mm, 0.0, 0.01);
+  EXPECT_NEAR(figures.deviating_share, 1.0, 1e-12);
+}
+
 TEST(HeightLoop, BelievesAPatchAsWideAsABeadAtOnce) {
   HeightLoop loop = loopAfter({}, 5, 1.0);
   loop.beginLayer(layerOf(5));

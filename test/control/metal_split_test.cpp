@@ -62,6 +62,16 @@ TEST(MetalSplit, KeepsSpeedAndHeatWithinTheirWindows) {
   EXPECT_EQ(metalSplit(cells, halves(cells), PowerSource::Follows, settings).speed_mm_s[30], 12.0);
 }
 
+TEST(MetalSplit, TellsWhatIsLaidWithinTheWindows) {
+  const LayerCells cells = test::straightBeads({0.0}, 40.0, 1.0);
+  LoopSettings settings = wireSettings(-0.2);
+  settings.heat = 0.15;
+  const MetalCorrection limited = metalSplit(cells, halves(cells), PowerSource::Fixed, settings);
+  EXPECT_NEAR(limited.amount[3], std::pow(1.15, 0.2) - 1.0, 1e-12) << "2.8 % of the tenth";
+  EXPECT_NEAR(limited.amount[30], std::pow(0.85, 0.2) - 1.0, 1e-12);
+  EXPECT_EQ(metalSplit(cells, halves(cells), PowerSource::Follows, settings).amount, halves(cells));
+}
+
 TEST(MetalSplit, AsksForAnExponent) {
   const LayerCells cells = test::straightBeads({0.0}, 40.0, 1.0);
   EXPECT_THROW(metalSplit(cells, halves(cells), PowerSource::Fixed, LoopSettings()), InvalidConfig);

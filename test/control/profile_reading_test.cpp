@@ -246,6 +246,21 @@ TEST(ReadProfile, CountsEachPointUnderTheCauseThatKeptIt) {
   EXPECT_EQ(read.counts.accounted(), 14U);
 }
 
+/// What a driver sends for points that it misses stands at no depth, or at a negative one.
+TEST(ReadProfile, LeavesOutWhatIsNearerThanTheWindowWithoutAFarEnd) {
+  const test::MeasuredLayer measured = test::inclinedLayer(0.0, 1, kWireBead);
+  const CellAtlas atlas = atlasOver(measured);
+  SensorProfile profile;
+  profile.toolpath_from_sensor = test::sensorOver(measured, 0, 0.5);
+  profile.points = {{-0.3, 0, 60}, {-0.2, 0, 0}, {-0.1, 0, -999}, {0, 0, 60}, {0.1, 0, 60}};
+  SightSettings settings;
+  EXPECT_EQ(readProfile(profile, atlas, {}, settings).counts.outside_window, 0U);
+  settings.least_depth_mm = 10;
+  const ProfileReadings read = readProfile(profile, atlas, {}, settings);
+  EXPECT_EQ(read.counts.outside_window, 2U);
+  EXPECT_EQ(read.counts.used, 3U);
+}
+
 TEST(ReadProfile, KeepsThreePointsInARowThatAgree) {
   const test::MeasuredLayer measured = test::inclinedLayer(0.0, 1, kWireBead);
   const CellAtlas atlas = atlasOver(measured);

@@ -49,14 +49,30 @@ TEST(Replanning, KeepsTheWindowOfTheProcess) {
 }
 
 TEST(Replanning, IsNeededWhereAmountsWillNotDo) {
+  const LayerAuthority authority{-0.2, 0.5};
   // 0.7 of the growth, and half as much again: 5 % are lost of every layer left.
   const PartUnderWay clogged{std::vector<double>(20, 1.5), 0.5, 0.63};
-  EXPECT_NEAR(expectedTopError(clogged, 0.5), 0.5 + 0.055 * 30.0, 1e-9);
-  EXPECT_TRUE(needsReplanning(clogged, 1.5, 0.5));
+  EXPECT_NEAR(expectedTopError(clogged, authority), 0.5 + 0.055 * 30.0, 1e-9);
+  EXPECT_TRUE(needsReplanning(clogged, 1.5, authority));
   const PartUnderWay sound{std::vector<double>(20, 1.5), 0.5, 0.9};
-  EXPECT_EQ(expectedTopError(sound, 0.5), 0.0) << "it will be caught up";
-  EXPECT_FALSE(needsReplanning(sound, 1.5, 0.5));
-  EXPECT_TRUE(needsReplanning({std::vector<double>(20, 1.5), 1.6, 1.0}, 1.5, 0.5)) << "more than a layer";
+  EXPECT_EQ(expectedTopError(sound, authority), 0.0) << "it will be caught up";
+  EXPECT_FALSE(needsReplanning(sound, 1.5, authority));
+  EXPECT_TRUE(needsReplanning({std::vector<double>(20, 1.5), 1.6, 1.0}, 1.5, authority))
+      << "more than a layer";
+}
+
+TEST(Replanning, IsNotNeededWhereSmallerAmountsTakeOffWhatIsTooHigh) {
+  const LayerAuthority authority{-0.2, 0.5};
+  // 30 mm are left and 29.1 mm wanted: 3 % less of each layer.
+  const PartUnderWay high{std::vector<double>(20, 1.5), -0.9, 1.0};
+  EXPECT_EQ(expectedTopError(high, authority), 0.0);
+  EXPECT_FALSE(needsReplanning(high, 1.5, authority));
+  // With two layers left, 2.4 mm is the least that they grow, and 2.1 mm are wanted.
+  EXPECT_NEAR(expectedTopError({{1.5, 1.5}, -0.9, 1.0}, authority), -0.3, 1e-12);
+  // A feeder that gives twice as much grows 48 mm at least.
+  const PartUnderWay fed{std::vector<double>(20, 1.5), -0.9, 2.0};
+  EXPECT_NEAR(expectedTopError(fed, authority), 29.1 - 48.0, 1e-9);
+  EXPECT_TRUE(needsReplanning(fed, 1.5, authority));
 }
 
 TEST(Replanning, AddsLayersToWideDipsAndBeadsToSmallOnes) {

@@ -85,6 +85,12 @@ TEST(Supervision, NamesWhatIsWrongWithTheSensor) {
   watch.is_scanning = true;
   watch.blind_s = 3.0;
   EXPECT_TRUE(raised(afterWatch(activeLoop(), watch, {}), LoopAlarm::NoTransform, LoopReaction::Coast));
+  watch.blind_s = 0.0;
+  watch.unplaced_s = 3.0;
+  const LoopStep unplaced = afterWatch(activeLoop(), watch, {});
+  EXPECT_TRUE(raised(unplaced, LoopAlarm::NoTransform, LoopReaction::Coast));
+  EXPECT_EQ(unplaced.alarms[0].reason,
+            "clouds, but none whose frame tf knows over the bed for 3 s; expected one every 2 s");
   watch = {};
   watch.profiles = 50;
   watch.variance_mm2 = 1e-12;
@@ -113,6 +119,26 @@ TEST(Supervision, LeavesAContestedLayerOut) {
   EXPECT_EQ(step.status.unmeasured_layers, 1);
   figures.is_measured = false;  // so much is contested that too little is seen
   EXPECT_TRUE(raised(afterLayer(activeLoop(), figures, {}), LoopAlarm::Contested, LoopReaction::LeaveOut));
+}
+
+/// Two thirds of the length were seen, and on three tenths the surface lies 9 mm down.
+TEST(Supervision, HoldsWhenAPieceFellOutOfSight) {
+  const LoopStatus before = afterLayer(activeLoop(), soundFigures(0.1), {}).status;
+  LayerFigures figures = soundFigures(0.1);
+  figures.coverage = 0.66;
+  figures.fallen = {0.3, 9.0};
+  const LoopStep step = afterLayer(before, figures, {});
+  EXPECT_TRUE(raised(step, LoopAlarm::Step, LoopReaction::Hold));
+  EXPECT_TRUE(raised(step, LoopAlarm::Deviation, LoopReaction::Warn));
+  EXPECT_NE(step.alarms[0].reason.find("30 % of the length lies 9 mm below the plan"), std::string::npos);
+  EXPECT_NEAR(step.status.mean_error_mm, (0.66 * 0.1 + 0.3 * 9.0) / 0.96, 1e-12);
+  const LoopStep next = afterLayer(step.status, figures, {});
+  EXPECT_FALSE(raised(next, LoopAlarm::Step, LoopReaction::Hold)) << "it was told";
+  EXPECT_TRUE(raised(next, LoopAlarm::Deviation, LoopReaction::Hold));
+  figures.coverage = 0.2;
+  figures.is_measured = false;
+  EXPECT_TRUE(raised(afterLayer(before, figures, {}), LoopAlarm::Step, LoopReaction::Hold))
+      << "so much that the rest is no measurement";
 }
 
 TEST(Supervision, HoldsWhenTheMeanJumps) {

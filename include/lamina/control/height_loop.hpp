@@ -14,8 +14,15 @@
 
 namespace lamina {
 
+/// The length of a layer on which the surface lies below the range in which points are assigned to cells.
+struct FallenLength {
+  double share = 0.0;     ///< of the layer's length
+  double depth_mm = 0.0;  ///< mean distance of the surface below the planned top on that length
+};
+
 /// Figures of a layer from the estimates of its cells. Shares and means are over the cells, weighted by
-/// length, unless stated otherwise.
+/// length, unless stated otherwise. Errors and `deviating_share` are those of the cells seen if the layer is
+/// measured, else of all cells, as predicted.
 struct LayerFigures {
   std::size_t layer = 0;
   double height_mm = 0.0;  ///< mean planned height
@@ -23,6 +30,7 @@ struct LayerFigures {
   double rmse_mm = 0.0;          ///< root of the mean squared height error
   double flatness_mm = 0.0;      ///< standard deviation of the error about its mean
   double coverage = 0.0;         ///< share of cells seen
+  FallenLength fallen;           ///< not among the errors; from `FallenWatch`
   bool is_measured = false;      ///< coverage is at least `min_coverage`
   double contested_share = 0.0;  ///< share of the cells read of which all readings were contested
   /// Share of the length on which the correction deposited was limited in value or volume.
@@ -143,6 +151,7 @@ class HeightLoop {
   std::vector<MeasuredGain> sectionGains() const;
   void learn(const std::vector<MeasuredGain>& measured);
   void learnSpread();
+  void judgeErrors(LayerFigures& figures, const std::vector<double>& seen) const;
   LayerFigures figures() const;
 
   LoopSettings settings_;

@@ -15,6 +15,7 @@ struct MetalCorrection {
   double wire = 0.0;               ///< relative change of the wire feed, one for the whole layer
   std::vector<double> speed_mm_s;  ///< travel speed
   std::vector<double> power;       ///< relative change of the source's power
+  std::vector<double> amount;      ///< as it is deposited; less than asked for where the speed is limited
   double limited_share = 0.0;      ///< share of cells at which the window or the heat limited the speed
 };
 

@@ -24,7 +24,8 @@ struct SightSettings {
   double pose_sigma_mm = 0.0;  ///< standard deviation of the sensor's position along the growth direction
   /// Greatest angle between beam and growth direction; 90: all but undersides are read.
   double greatest_angle_deg = 70;
-  double least_depth_mm = 0.0;     ///< near end of the sensor's measuring range, along its z
+  /// Near end of the sensor's measuring range, along its z; 0: not limited, unless the far end is.
+  double least_depth_mm = 0.0;
   double greatest_depth_mm = 0.0;  ///< far end of that range; 0: not limited
   int trim_points = 0;  ///< number left out at each end of a profile, where drivers overwrite points
 };

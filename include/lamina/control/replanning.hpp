@@ -33,13 +33,20 @@ struct NewHeights {
   double flow = 1.0;  ///< factor on the volume of each bead, which compensates for the gain learnt
 };
 
+/// Limits of the relative amount of a whole layer.
+struct LayerAuthority {
+  double least = 0.0;     ///< above -1, at most 0
+  double greatest = 0.0;  ///< at least 0
+};
+
 /// Height error at the top of the part [mm], positive if too low, that is expected if the layers left are
-/// deposited with that gain and amounts of at most the greatest one.
-double expectedTopError(const PartUnderWay& part, double greatest_amount);
+/// deposited with that gain and amounts within the limits. It is 0 where amounts catch up what is too low, or
+/// too high.
+double expectedTopError(const PartUnderWay& part, const LayerAuthority& authority);
 
 /// Whether corrections alone are not enough: the mean error, too high or too low, exceeds the height of a
 /// layer, or the error at the top would exceed half of that height.
-bool needsReplanning(const PartUnderWay& part, double layer_mm, double greatest_amount);
+bool needsReplanning(const PartUnderWay& part, double layer_mm, const LayerAuthority& authority);
 
 /// The heights of the layers left, scaled by one factor so that the part ends at its planned top. If that
 /// factor is outside 0.7 to 1.3, or a height outside the window of the process, the number of layers changes

@@ -90,6 +90,7 @@ LoopStatus afterRequest(LoopRequest request, const StabilityReport& report);
 struct SensorWatch {
   bool is_scanning = false;         ///< whether clouds are expected
   double silent_s = 0.0;            ///< time since the last cloud
+  double unplaced_s = 0.0;          ///< time since the last cloud whose frame tf knew, while others come
   double blind_s = 0.0;             ///< time since the last cloud with a known pose of the nozzle
   double variance_mm2 = 1.0;        ///< variance of points between profiles taken while the sensor moves
   int profiles = 0;                 ///< number of profiles in a row of which the variance is

@@ -406,6 +406,28 @@ void HeightLoop::learnSpread() {
   spread_ = std::clamp(std::sqrt(std::max(0.0, learnt)), kLeastSpread, kGreatestSpread);
 }
 
+/// Of a measured layer by the cells seen: what is predicted of the others shows nothing.
+void HeightLoop::judgeErrors(LayerFigures& figures, const std::vector<double>& seen) const {
+  const std::vector<double> all(cells_.size(), 1.0);
+  const std::vector<double>& weights = figures.is_measured ? seen : all;
+  std::vector<double> errors(cells_.size());
+  std::vector<double> squares(cells_.size());
+  std::vector<double> deviates(cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const double error = estimates_[i].error();
+    errors[i] = weights[i] * error;
+    squares[i] = weights[i] * error * error;
+    deviates[i] = std::abs(error) > settings_.alarm_layers * cells_.height_mm[i] ? weights[i] : 0.0;
+  }
+  const double whole = meanOverCells(cells_, weights);
+  if (!(whole > 0.0)) return;
+  figures.mean_error_mm = meanOverCells(cells_, errors) / whole;
+  const double mean_square = meanOverCells(cells_, squares) / whole;
+  figures.rmse_mm = std::sqrt(mean_square);
+  figures.flatness_mm = std::sqrt(std::max(0.0, mean_square - figures.mean_error_mm * figures.mean_error_mm));
+  figures.deviating_share = meanOverCells(cells_, deviates) / whole;
+}
+
 LayerFigures HeightLoop::figures() const {
   LayerFigures result;
   result.layer = cells_.layer;
@@ -413,12 +435,9 @@ LayerFigures HeightLoop::figures() const {
   result.spread = spread_;
   if (cells_.size() == 0) return result;
   std::vector<double> seen(cells_.size());
-  std::vector<double> deviates(cells_.size());
   std::vector<double> is_read(cells_.size());
   double contested = 0.0;
-  double squares = 0.0;
   result.height_mm = meanOverCells(cells_, cells_.height_mm);
-  result.mean_error_mm = meanOverCells(cells_, errorsOf(estimates_));
   result.gain_ratio = gain_ratio_;
   result.gain_mean = meanOverCells(cells_, gainsOf(estimates_));
   result.gain_least = result.gain_greatest = estimates_.front().gain();
@@ -427,17 +446,12 @@ LayerFigures HeightLoop::figures() const {
     seen[i] = cell.isSeen() ? 1.0 : 0.0;
     is_read[i] = cell.isSeen() || cell.contested() ? 1.0 : 0.0;
     contested += cell.contested() && !cell.isSeen() ? 1.0 : 0.0;
-    deviates[i] = std::abs(cell.error()) > settings_.alarm_layers * cells_.height_mm[i] ? 1.0 : 0.0;
-    squares += cell.error() * cell.error();
     result.gain_least = std::min(result.gain_least, cell.gain());
     result.gain_greatest = std::max(result.gain_greatest, cell.gain());
   }
-  const double mean_square = squares / static_cast<double>(cells_.size());
-  result.rmse_mm = std::sqrt(mean_square);
-  result.flatness_mm = std::sqrt(std::max(0.0, mean_square - result.mean_error_mm * result.mean_error_mm));
   result.coverage = meanOverCells(cells_, seen);
   result.is_measured = result.coverage > 0.0 && result.coverage >= settings_.min_coverage;
-  result.deviating_share = meanOverCells(cells_, deviates);
+  judgeErrors(result, seen);
   const double read = std::accumulate(is_read.begin(), is_read.end(), 0.0);
   if (read > 0.0) result.contested_share = contested / read;
   if (surprises_ > 0) result.consistency = surprise_ / static_cast<double>(surprises_);

@@ -53,6 +53,8 @@ MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& a
     const double speed = std::clamp(wanted, range.least, range.greatest);
     if (speed != wanted) ++limited;
     split.speed_mm_s.push_back(speed);
+    const double grown = (1.0 + split.wire) * std::pow(speed / planned, settings.speed_exponent) - 1.0;
+    split.amount.push_back(speed == wanted ? amount[i] : grown);
     // Power that goes all the way with the speed leaves heat per length as it is planned.
     split.power.push_back(source == PowerSource::Follows ? speed / planned - 1.0 : 0.0);
   }

@@ -25,8 +25,9 @@ bool isFinite(const Point3& point) {
 }
 
 bool isWithin(const Point3& point, const SightSettings& settings) {
-  return settings.greatest_depth_mm <= 0.0 ||
-         (point.z() >= settings.least_depth_mm && point.z() <= settings.greatest_depth_mm);
+  const bool has_far_end = settings.greatest_depth_mm > 0.0;
+  if (has_far_end && !(point.z() <= settings.greatest_depth_mm)) return false;
+  return !(has_far_end || settings.least_depth_mm > 0.0) || point.z() >= settings.least_depth_mm;
 }
 
 /// Whether a value is off the median of itself and its neighbours, as many on both sides, by more than a

@@ -260,7 +260,7 @@ void describe(SettingsSchema& schema, SightSettings& settings) {
   schema.number("sight.least_depth_mm", settings.least_depth_mm, {0.0, 1e5},
                 "Least depth of the sensor's window.");
   schema.number("sight.greatest_depth_mm", settings.greatest_depth_mm, {0.0, 1e5},
-                "Greatest depth of the sensor's window; 0 for no window.");
+                "Greatest depth of the sensor's window; 0 for no far end.");
   schema.integer("sight.trim_points", settings.trim_points, {0, 1e6},
                  "Points left out at both ends of a profile.");
 }

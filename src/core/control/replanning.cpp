@@ -47,18 +47,16 @@ int sideOf(double error, double layer) {
 
 }  // namespace
 
-double expectedTopError(const PartUnderWay& part, double greatest_amount) {
-  const double share = std::min(1.0, part.growth * (1.0 + greatest_amount));
-  const double lost = (1.0 - share) * totalOf(part.heights_left_mm);
-  // What is too low is caught up only by amounts that are not needed for growth itself.
-  const double spare =
-      std::max(0.0, part.growth * (1.0 + greatest_amount) - 1.0) * totalOf(part.heights_left_mm);
-  return part.error_mm > 0.0 ? std::max(0.0, part.error_mm + lost - spare) : part.error_mm + lost;
+double expectedTopError(const PartUnderWay& part, const LayerAuthority& authority) {
+  const double planned = totalOf(part.heights_left_mm);
+  const double wanted = planned + part.error_mm;
+  const double least = part.growth * (1.0 + authority.least) * planned;
+  const double greatest = part.growth * (1.0 + authority.greatest) * planned;
+  return wanted - std::clamp(wanted, least, greatest);
 }
 
-bool needsReplanning(const PartUnderWay& part, double layer_mm, double greatest_amount) {
-  return std::abs(part.error_mm) > layer_mm ||
-         std::abs(expectedTopError(part, greatest_amount)) > 0.5 * layer_mm;
+bool needsReplanning(const PartUnderWay& part, double layer_mm, const LayerAuthority& authority) {
+  return std::abs(part.error_mm) > layer_mm || std::abs(expectedTopError(part, authority)) > 0.5 * layer_mm;
 }
 
 std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWindow& window) {

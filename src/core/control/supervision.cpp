@@ -65,26 +65,46 @@ void missLayer(LoopStep& step, const LoopSettings& settings) {
   status.reason = reason;
 }
 
+/// A mean over the cells seen and over what came off.
+double withFallen(const LayerFigures& figures, double of_seen, double of_fallen) {
+  const FallenLength& fallen = figures.fallen;
+  if (fallen.share == 0.0) return of_seen;
+  return (figures.coverage * of_seen + fallen.share * of_fallen) / (figures.coverage + fallen.share);
+}
+
+double meanError(const LayerFigures& figures) {
+  return withFallen(figures, figures.mean_error_mm, figures.fallen.depth_mm);
+}
+
+std::string whereFallen(const FallenLength& fallen) {
+  if (fallen.share == 0.0) return {};
+  return "; " + value(100.0 * fallen.share, " %") + " of the length lies " + value(fallen.depth_mm, " mm") +
+         " below the plan";
+}
+
 void judgeStep(LoopStep& step, const LayerFigures& figures) {
   if (!step.status.has_figures) return;
   // Layers that were not measured in between may each have drifted.
   const std::size_t last = step.status.layer;
   const auto layers = static_cast<double>(figures.layer > last ? figures.layer - last : 1);
-  const double jump = figures.mean_error_mm - step.status.mean_error_mm;
+  const double jump = meanError(figures) - step.status.mean_error_mm;
   const double most = layers * kStepLayers * figures.height_mm;
   if (std::abs(jump) <= most) return;
   raise(step, LoopAlarm::Step, LoopReaction::Hold,
         "the mean error jumped by " + value(jump, " mm") + " within " + value(layers, "") +
-            " layers; expected at most " + value(most, " mm") + ": something broke or came off");
+            " layers; expected at most " + value(most, " mm") + ": something broke or came off" +
+            whereFallen(figures.fallen));
 }
 
 void judgeDeviation(LoopStep& step, const LayerFigures& figures, const LoopSettings& settings) {
   int& layers = step.status.deviating_layers;
-  layers = figures.deviating_share > kDeviatingShare ? layers + 1 : 0;
+  const double deviating = withFallen(figures, figures.deviating_share, 1.0);
+  layers = deviating > kDeviatingShare ? layers + 1 : 0;
   if (layers == 0) return;
   raise(step, LoopAlarm::Deviation, layers >= kDeviatingLayers ? LoopReaction::Hold : LoopReaction::Warn,
-        value(100.0 * figures.deviating_share, " %") + " of the cells are off by more than " +
-            value(settings.alarm_layers * figures.height_mm, " mm") + "; expected at most 2 %");
+        value(100.0 * deviating, " %") + " of the cells are off by more than " +
+            value(settings.alarm_layers * figures.height_mm, " mm") + "; expected at most 2 %" +
+            whereFallen(figures.fallen));
 }
 
 void judgeTrend(LoopStep& step, const LayerFigures& figures) {
@@ -151,6 +171,10 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but no pose of the nozzle for " + value(watch.blind_s, " s") + "; expected one every " +
              value(settings.silence_s, " s"));
+  else if (watch.is_scanning && watch.unplaced_s > settings.silence_s)
+    lose(LoopAlarm::NoTransform, CoastingFor::Sight,
+         "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
+             "; expected one every " + value(settings.silence_s, " s"));
   if (watch.profiles >= kStuckProfiles && !(watch.variance_mm2 >= kStuckVariance))
     lose(LoopAlarm::Stuck, CoastingFor::Sight,
          std::to_string(watch.profiles) + " profiles are the same or no numbers, with a variance of " +
@@ -176,11 +200,15 @@ LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const
     missLayer(step, settings);
     return step;
   }
+  LoopStatus& next = step.status;
   if (!figures.is_measured) {
     missLayer(step, settings);
+    if (figures.fallen.share == 0.0) return step;
+    judgeStep(step, figures);
+    next.layer = figures.layer;
+    next.mean_error_mm = meanError(figures);
     return step;
   }
-  LoopStatus& next = step.status;
   next.unmeasured_layers = 0;
   if (next.state == LoopState::Coasting && next.coasting_for == CoastingFor::Sight) {
     next.state = LoopState::Active;
@@ -199,7 +227,7 @@ LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const
               " of the length, three layers running; expected 5 % at most");
   next.has_figures = true;
   next.layer = figures.layer;
-  next.mean_error_mm = figures.mean_error_mm;
+  next.mean_error_mm = meanError(figures);
   next.rmse_mm = figures.rmse_mm;
   return step;
 }

@@ -272,6 +272,7 @@ void HeightController::onTimer() {
     is_quiet_ = true;
   }
   publishNews();
+  if (const auto late = print_hold_.takeLate()) ROS_WARN("%s", late->c_str());
   diagnostics_.update();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "print_hold.hpp"
 
+#include <ros/service.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
@@ -13,34 +14,50 @@
 namespace lamina {
 namespace {
 
-std::string holdUnit() {
+PrintHold::Answer holdUnit() {
   lamina_msgs::PackmlCommand hold;
   hold.request.command = lamina_msgs::PackmlCommand::Request::HOLD;
   hold.request.source = "height_controller";
   hold.request.expected_sequence = -1;
-  if (!callService(names::kPackmlCommand, hold)) return "the unit did not answer to Hold";
-  if (hold.response.message.empty()) return "the unit holds the print";
-  return "the print is not held: " + hold.response.message;
+  if (!callService(names::kPackmlCommand, hold)) return {false, "the unit did not answer to Hold"};
+  if (hold.response.message.empty()) return {true, "the unit holds the print"};
+  return {false, "the print is not held: " + hold.response.message};
+}
+
+PrintHold::Answer holdPrint() {
+  // Where the print has a unit, that one alone orders its executor about.
+  if (ros::service::exists(names::kPackmlCommand, false)) return holdUnit();
+  std_srvs::Trigger pause;
+  if (!ros::service::exists(names::kPause, false)) return {false, "nobody offers to pause the print"};
+  if (!callService(names::kPause, pause)) return {false, "the print did not answer to pause"};
+  if (pause.response.success) return {true, "the print is held"};
+  return {false, "the print is not held: " + pause.response.message};
+}
+
+bool isReady(const std::future<PrintHold::Answer>& asked, double patience_s) {
+  return asked.wait_for(std::chrono::duration<double>(patience_s)) == std::future_status::ready;
 }
 
 }  // namespace
 
+PrintHold::PrintHold() : PrintHold(holdPrint) {}
+
 std::string PrintHold::hold() {
-  using namespace std::chrono_literals;
-  if (asked_.valid() && asked_.wait_for(0s) != std::future_status::ready)
+  if (asked_.valid() && !isReady(asked_, 0.0)) {
+    is_wanted_again_ = true;
     return "the print was asked to pause before and has not answered";
-  asked_ = std::async(std::launch::async, [] {
-    // Where the print has a unit, that one alone orders its executor about.
-    if (ros::service::exists(names::kPackmlCommand, false)) return holdUnit();
-    std_srvs::Trigger pause;
-    if (!ros::service::exists(names::kPause, false)) return std::string("nobody offers to pause the print");
-    if (!callService(names::kPause, pause)) return std::string("the print did not answer to pause");
-    return pause.response.success ? std::string("the print is held")
-                                  : "the print is not held: " + pause.response.message;
-  });
-  if (asked_.wait_for(std::chrono::duration<double>(kPatience)) != std::future_status::ready)
-    return "the print has not answered to pause within 1 s";
-  return asked_.get();
+  }
+  is_wanted_again_ = false;
+  asked_ = std::async(std::launch::async, ask_);
+  if (!isReady(asked_, kPatience)) return "the print has not answered to pause within 1 s";
+  return asked_.get().text;
+}
+
+std::optional<std::string> PrintHold::takeLate() {
+  if (!asked_.valid() || !isReady(asked_, 0.0)) return std::nullopt;
+  const Answer answer = asked_.get();
+  if (answer.is_held || !is_wanted_again_) return answer.text;
+  return answer.text + "; asked again: " + hold();
 }
 
 }  // namespace lamina

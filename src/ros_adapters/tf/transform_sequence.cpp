@@ -18,6 +18,11 @@ constexpr double kQuiet = 10.0;       // s between complaints
 // By which ROS time goes back so that all begins anew: less is made up for at once.
 const ros::Duration kBack(0.5);
 
+/// Whether a stamp is so far ahead of another that the buffer would forget what it has of that time.
+bool isFarAhead(const ros::Time& stamp, const ros::Time& latest) {
+  return stamp.toNSec() > latest.toNSec() + static_cast<std::uint64_t>(kRemembered * 1e9);
+}
+
 /// As tf2 does: frames were once named with a slash in front.
 std::string bare(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
@@ -33,7 +38,10 @@ void TransformSequence::add(const geometry_msgs::TransformStamped& transform, co
   if (isOfTimeBefore(transform.header.stamp)) return;
   ++received_;
   keepFrames(transform);
-  waiting_.insert({transform.header.stamp, {transform, authority}});
+  for (Waiting& each : believed({transform, authority})) {
+    const ros::Time stamp = each.transform.header.stamp;
+    waiting_.insert({stamp, std::move(each)});
+  }
   while (waiting_.size() > most_waiting_) {
     ++forced_;
     notePassed(waiting_.begin()->first);
@@ -51,6 +59,7 @@ bool TransformSequence::isOfTimeBefore(const ros::Time& stamp) {
              (now_ - now).toSec());
     went_back_ = now_;
     waiting_.clear();
+    clocks_.clear();
     passed_.clear();
     taken_ = ros::Time();
     buffer_.clear();
@@ -58,6 +67,33 @@ bool TransformSequence::isOfTimeBefore(const ros::Time& stamp) {
   }
   now_ = now;
   return now < went_back_ && stamp > now + kBack;
+}
+
+void TransformSequence::drop(const Waiting& ahead) {
+  ROS_WARN_THROTTLE(kQuiet, "transform from %s to %s left out: its stamp, %.3f s, is far ahead of the others",
+                    ahead.transform.header.frame_id.c_str(), ahead.transform.child_frame_id.c_str(),
+                    ahead.transform.header.stamp.toSec());
+}
+
+/// Those of a frame whose stamps are no longer in doubt: two in turn that are ahead are so for a pause.
+std::vector<TransformSequence::Waiting> TransformSequence::believed(Waiting next) {
+  FrameClock& clock = clocks_[bare(next.transform.child_frame_id)];
+  const ros::Time stamp = next.transform.header.stamp;
+  std::vector<Waiting> result;
+  result.reserve(2);
+  if (clock.ahead && isFarAhead(stamp, clock.latest) && clock.ahead->transform.header.stamp < stamp) {
+    clock.latest = clock.ahead->transform.header.stamp;
+    result.push_back(*std::exchange(clock.ahead, std::nullopt));
+  }
+  if (clock.ahead && clock.ahead->transform.header.stamp != stamp) drop(*clock.ahead);
+  clock.ahead.reset();
+  if (!clock.latest.isZero() && isFarAhead(stamp, clock.latest)) {
+    clock.ahead = std::move(next);
+    return result;
+  }
+  clock.latest = std::max(clock.latest, stamp);
+  result.push_back(std::move(next));
+  return result;
 }
 
 void TransformSequence::addFixed(const geometry_msgs::TransformStamped& transform,

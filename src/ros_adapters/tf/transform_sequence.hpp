@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +38,10 @@ class TransformSequence {
   /// Adds a moving transform. One that is older than those the buffer has is passed to it at the next call.
   /// If ROS time has gone back since the last transform, because a clock was set or a simulation was reset,
   /// everything begins anew; transforms from before that arrive late are dropped.
+  ///
+  /// A transform more than 30 s ahead of the last one of its child frame is kept back until another of that
+  /// frame follows it. If that one is not ahead, the stamp was garbled, and the transform is dropped: the
+  /// buffer would have forgotten the frame's other transforms, and refused all that follow.
   void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   /// Adds a transform that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
@@ -72,7 +77,15 @@ class TransformSequence {
     std::string authority;
   };
 
+  /// What the stamps of a child frame have come to.
+  struct FrameClock {
+    ros::Time latest;              ///< stamp; zero before the first
+    std::optional<Waiting> ahead;  ///< kept back, more than 30 s ahead of `latest`
+  };
+
   bool isOfTimeBefore(const ros::Time& stamp);
+  void drop(const Waiting& ahead);
+  std::vector<Waiting> believed(Waiting next);
   void keepFrames(const geometry_msgs::TransformStamped& transform);
   bool isNextUpTo(const ros::Time& stamp) const;
   void give(const Waiting& waiting);
@@ -82,6 +95,7 @@ class TransformSequence {
   tf2::BufferCore buffer_;
   mutable std::mutex mutex_;  ///< guards everything below
   std::multimap<ros::Time, Waiting> waiting_;
+  std::map<std::string, FrameClock> clocks_;  ///< by child frame
   std::set<std::string> frames_;
   std::set<ros::Time> passed_;  ///< time stamps whose pose was not returned yet
   ros::Time taken_;             ///< last time stamp whose pose was returned

@@ -407,5 +407,60 @@ TEST(LoopRun, HoldsBeforeTheNextLayerWhenAPieceComesOff) {
   EXPECT_TRUE(is_held);
 }
 
+/// Growth by the speed to the power -0.3, which may change by 1 %: cells of a layer differ by 0.6 % at most,
+/// whatever the wave asks for, and the loop knows.
+TEST(LoopRun, KnowsWhatTheLimitsOfSpeedLeaveOfACorrection) {
+  SensedWallCase wall = wallCase();
+  wall.settings.loop.speed_exponent = -0.3;
+  wall.settings.loop.greatest_speed_mm_s = 30.0;
+  wall.settings.loop.heat = 0.01;
+  wall.grows = [](std::size_t, double along_mm) { return 1.0 + 0.1 * std::sin(0.2 * along_mm); };
+  const LayerOutcome layer = sensedWall(wall).layers.at(3);
+  EXPECT_GT(layer.figures.limited_share, 0.5);
+  const auto [least, greatest] =
+      std::minmax_element(layer.cells.begin(), layer.cells.end(),
+                          [](const CellOutcome& a, const CellOutcome& b) { return a.amount < b.amount; });
+  EXPECT_GT(least->amount, 0.0) << "the wire brings the mean";
+  EXPECT_NEAR((1.0 + greatest->amount) / (1.0 + least->amount), std::pow(1.01 / 0.99, 0.3), 1e-4);
+}
+
+/// A print turned about the origin of its part, 100 mm above the bed, as a machine with inclined layers has
+/// it.
+SensedWall turned(SensedWall printed, const Eigen::Quaterniond& turn) {
+  Eigen::Isometry3d bed_from_level = Eigen::Isometry3d::Identity();
+  bed_from_level.translate(Eigen::Vector3d(0.0, 0.0, 100.0)).rotate(turn);
+  printed.part.bed_from_part.translation() = Point3(0.0, 0.0, 100.0);
+  printed.part.toolpath.part_from_layers = turn;
+  for (ToolpathLayer& layer : printed.part.toolpath.layers)
+    for (Path& path : layer.paths)
+      for (Point3& point : path.points) point = turn * point;
+  for (StampedTip& pose : printed.tips) pose.tip = bed_from_level * pose.tip;
+  for (SensedCloud& cloud : printed.clouds) cloud.bed_from_sensor = bed_from_level * cloud.bed_from_sensor;
+  return printed;
+}
+
+/// Layers at 45 degrees, leaning to the side and along the bead, as of a belt: measured, corrected and learnt
+/// from as the level ones.
+TEST(LoopRun, CorrectsInclinedLayersAsLevelOnes) {
+  SensedWallCase wall = wallCase();
+  wall.grows = [](std::size_t, double along_mm) { return 1.0 + 0.05 * std::sin(0.2 * along_mm); };
+  const SensedWall level = sensedWall(wall);
+  EXPECT_GT(std::abs(correctionAt(level.maps.back().paths.at(0), 30.0).amount), 0.05);
+  std::vector<std::size_t> order(level.tips.size() + level.clouds.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return stampOf(level, a) < stampOf(level, b); });
+  for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
+    const SensedWall inclined = turned(level, Eigen::Quaterniond(Eigen::AngleAxisd(0.25 * M_PI, axis)));
+    const auto maps = mapsOf(inclined, wall.settings, order);
+    ASSERT_EQ(maps.size(), level.maps.size());
+    for (std::size_t k = 2; k < maps.size(); ++k)
+      for (const double along_mm : {5.0, 30.0, 55.0})
+        EXPECT_NEAR(correctionAt(maps[k].paths.at(0), along_mm).amount,
+                    correctionAt(level.maps[k].paths.at(0), along_mm).amount, 5e-3)
+            << "layer " << k << " at " << along_mm << " mm";
+  }
+}
+
 }  // namespace
 }  // namespace lamina

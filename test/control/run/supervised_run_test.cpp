@@ -46,6 +46,13 @@ std::function<void(std::size_t, std::vector<double>&)> raised(std::size_t first,
   };
 }
 
+/// A stretch of the wall that breaks off, once, with all of its layers.
+std::function<void(std::size_t, std::vector<double>&)> brokenOff(std::size_t first, std::size_t end) {
+  return [=](std::size_t layer, std::vector<double>& heights) {
+    for (std::size_t i = first; i < end && layer == kFaultyLayer; ++i) heights[i] = 0.0;
+  };
+}
+
 void failSilent(SensedWallCase& wall) {
   wall.settings.loop.silence_s = 0.5;
   wall.sensor = failing(SensorDoes::KeepSilent);
@@ -125,6 +132,8 @@ std::vector<Mishap> mishapsOfTheProcess() {
   return {
       {"a piece that came off", [](SensedWallCase& wall) { wall.befalls = raised(0, 61, -1.4); }, A::Step,
        R::Hold, at, S::Active},
+      {"a piece that came off down to the bed",
+       [](SensedWallCase& wall) { wall.befalls = brokenOff(25, 45); }, A::Step, R::Hold, at, S::Active},
       {"a dip", [](SensedWallCase& wall) { wall.befalls = raised(20, 26, -1.9); }, A::Deviation, R::Warn, at,
        S::Active},
       {"a dip that stays",

@@ -144,6 +144,54 @@ TEST(TransformSequence, AStampFarAheadLosesNoPoseOfTheNozzle) {
   EXPECT_EQ(sequence.takeNozzles().size(), 20U);
 }
 
+std::vector<StampedNozzle> allNozzles(TransformSequence& sequence) {
+  std::vector<StampedNozzle> nozzles;
+  do {
+    for (const StampedNozzle& nozzle : sequence.takeNozzles()) nozzles.push_back(nozzle);
+  } while (sequence.passNext());
+  return nozzles;
+}
+
+/// Of a clock that is set, or of a message that is garbled.
+TEST(TransformSequence, LeavesOutAPoseOfTheNozzleWhoseStampAloneIsFarAhead) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 1010);
+  EXPECT_EQ(allNozzles(sequence).size(), 10U);
+  sequence.add(nozzleAt(100000, 5), kAuthority);
+  EXPECT_TRUE(allNozzles(sequence).empty());
+  addRise(sequence, 1010, 1020);
+  const auto nozzles = allNozzles(sequence);
+  ASSERT_EQ(nozzles.size(), 10U);
+  EXPECT_EQ(nozzles.front().stamp, ros::Time(1010));
+  EXPECT_EQ(nozzles.back().stamp, ros::Time(1019));
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1015.5)), Readiness::Ready);
+}
+
+TEST(TransformSequence, GoesOnBehindAPauseThatIsLongerThanItRemembers) {
+  TransformSequence sequence;
+  addRise(sequence, 1000, 1010);
+  EXPECT_EQ(allNozzles(sequence).size(), 10U);
+  addRise(sequence, 1100, 1110);
+  const auto nozzles = allNozzles(sequence);
+  ASSERT_EQ(nozzles.size(), 10U);
+  EXPECT_EQ(nozzles.front().stamp, ros::Time(1100));
+  // Of one that comes every minute, each is believed by the next.
+  for (int i = 1200; i <= 1440; i += 60) addRise(sequence, i, i + 1);
+  EXPECT_EQ(allNozzles(sequence).size(), 4U);
+}
+
+TEST(TransformSequence, BelievesTheLowerOfTwoStampsFarAhead) {
+  TransformSequence sequence;
+  addRise(sequence, 1000, 1010);
+  EXPECT_EQ(allNozzles(sequence).size(), 10U);
+  sequence.add(nozzleAt(100000, 5), kAuthority);
+  addRise(sequence, 1100, 1110);
+  const auto nozzles = allNozzles(sequence);
+  ASSERT_EQ(nozzles.size(), 10U);
+  EXPECT_EQ(nozzles.back().stamp, ros::Time(1109));
+}
+
 TEST(TransformSequence, WithTooManyWaitingTheOldestGoUnasked) {
   TransformSequence sequence(100);
   withSensor(sequence);

@@ -130,5 +130,36 @@ TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
   EXPECT_TRUE(isWithoutTransforms(feed));
 }
 
+/// A driver that names a frame of which nobody told tf.
+TEST(LoopFeed, TellsCloudsOfAnUnknownFrameFromNoClouds) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.settings.loop.silence_s = 0.5;
+  wall.layers = 2;
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  LoopFeed feed(wall.settings, 1000.0);
+  feed.add(test::toolpathMessage(printed));
+  std::size_t cloud = 0;
+  for (const StampedTip& tip : printed.tips) {
+    time.set(test::timeOf(tip.stamp_ns));
+    feed.add(test::nozzleMessage(tip).transforms[0], "test");
+    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= tip.stamp_ns; ++cloud) {
+      auto unknown = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(printed.clouds[cloud]));
+      unknown->header.frame_id = "nowhere";
+      feed.add(unknown);
+      feed.hear(unknown->header.stamp);
+    }
+    feed.pass();
+  }
+  const LoopNews news = feed.run()->takeNews();
+  const auto has = [&](LoopAlarm alarm) {
+    return std::any_of(news.alarms.begin(), news.alarms.end(),
+                       [&](const RaisedAlarm& each) { return each.alarm == alarm; });
+  };
+  EXPECT_TRUE(has(LoopAlarm::NoTransform));
+  EXPECT_FALSE(has(LoopAlarm::Silent));
+}
+
 }  // namespace
 }  // namespace lamina

@@ -12,6 +12,7 @@
 
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
+#include "lamina/control/run/fallen_watch.hpp"
 #include "lamina/control/run/layer_progress.hpp"
 #include "lamina/control/run/loop_memory.hpp"
 #include "lamina/control/run/loop_run_settings.hpp"
@@ -188,7 +189,7 @@ class LoopRun {
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
   void use(const LayerReading& reading);
-  void watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
+  void watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
   void watch(double blind_s);
   LoopMemory memory(std::size_t layer) const;
@@ -207,6 +208,7 @@ class LoopRun {
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
+  void realise();
   void publishMap();
   void trimLayer();
   void take(LoopStep step);
@@ -241,6 +243,7 @@ class LoopRun {
   Mapped mapped_;
   bool is_missed_ = false;  ///< whether part of the layer is not deposited by `mapped_`
   LayerCorrection laid_;
+  CellCorrections told_;                     ///< for the machine, of the layer's last map
   std::vector<double> shift_mm_;             ///< shift of the nozzle, by cell
   double mean_shift_mm_ = 0.0;               ///< mean of that over the layer
   double last_amount_ = 0.0;                 ///< amount at the end of the layer before
@@ -260,10 +263,12 @@ class LoopRun {
   double settle_mm_ = 0.0;
   SolidCells solid_;
   std::optional<std::int64_t> cloud_ns_;
+  std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
   StuckWatch stuck_;
   OffsetWatch offset_;
   OffsetLeft offset_left_;  ///< by the last layer that shows an offset
   LumpWatch lump_;          ///< highest lump above the layer under way, as scanned
+  FallenWatch fallen_;      ///< what came off that layer, as scanned
   Box3 ground_;             ///< of that layer, without its height
   SensorMotion motion_;     ///< [toolpath]
   StandingAlarms watched_;

@@ -24,4 +24,7 @@ struct MissedMap {
   std::optional<PlaceOnLayer> held_from;
 };
 
+/// The reason of alarm 6116 for such a map.
+std::string reasonOf(const MissedMap& missed);
+
 }  // namespace lamina

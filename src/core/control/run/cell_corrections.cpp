@@ -3,6 +3,7 @@
 #include "control/run/cell_corrections.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lamina/control/metal_split.hpp"
 
@@ -12,20 +13,24 @@ bool isAllZero(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
 }
 
-CellCorrections cellCorrections(const LayerCells& cells, const std::vector<double>& amount,
-                                const std::vector<double>& shift_mm, const LoopSettings& settings) {
-  CellCorrections told;
+RealisedCorrection realised(const LayerCells& cells, const LayerCorrection& asked,
+                            const std::vector<double>& shift_mm, const LoopSettings& settings) {
+  RealisedCorrection result{{}, asked};
+  CellCorrections& told = result.told;
   if (!isAllZero(shift_mm)) told.dz_mm = shift_mm;
-  if (isAllZero(amount)) return told;
-  told.amount = amount;
-  if (settings.speed_exponent == 0.0) return told;
-  const MetalCorrection split = metalSplit(cells, amount, PowerSource::Fixed, settings);
+  if (isAllZero(asked.amount)) return result;
+  told.amount = asked.amount;
+  if (settings.speed_exponent == 0.0) return result;
+  MetalCorrection split = metalSplit(cells, asked.amount, PowerSource::Fixed, settings);
+  told.speed.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     told.speed.push_back(split.speed_mm_s[i] / cells.speed_mm_s[i] - 1.0);
     // What the wire brings per time is the same all over the layer.
     told.amount[i] = (1.0 + split.wire) / (1.0 + told.speed[i]) - 1.0;
   }
-  return told;
+  result.laid.amount = std::move(split.amount);
+  result.laid.limited_share = std::max(asked.limited_share, split.limited_share);
+  return result;
 }
 
 void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {

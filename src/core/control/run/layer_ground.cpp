@@ -13,6 +13,21 @@ double widestBead(const LayerCells& cells) {
   return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
 }
 
+std::optional<std::size_t> cellAt(const LayerCells& cells, const PrintPosition& place) {
+  const auto run = std::lower_bound(cells.runs.begin(), cells.runs.end(), place.path,
+                                    [](const CellRun& each, std::size_t path) { return each.path < path; });
+  if (run == cells.runs.end() || run->path != place.path) return std::nullopt;
+  const auto cell = static_cast<std::size_t>(std::max(0.0, place.along_mm / run->cellLength()));
+  return run->first + std::min(cell, run->count - 1);
+}
+
+double highestCell(const std::vector<CellEstimate>& estimates) {
+  double highest = -1e9;
+  for (const CellEstimate& cell : estimates)
+    if (cell.isKnown()) highest = std::max(highest, -cell.error());
+  return highest;
+}
+
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
   Box3 ground;
   const double reach = widestBead(cells);

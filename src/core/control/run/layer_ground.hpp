@@ -3,15 +3,25 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "lamina/control/cell_estimate.hpp"
 #include "lamina/control/layer_cells.hpp"
+#include "lamina/control/run/layer_progress.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
 
 /// Width of a layer's widest bead [mm]; 0 without cells.
 double widestBead(const LayerCells& cells);
+
+/// The cell of a layer on which the nozzle is; none on a path without cells.
+std::optional<std::size_t> cellAt(const LayerCells& cells, const PrintPosition& place);
+
+/// Height of the highest known cell above the planned ground of its layer [mm]; -1e9 if none is known.
+double highestCell(const std::vector<CellEstimate>& estimates);
 
 /// The area over which a layer lies, widened by the width of its beads [mm]: the bounding box of its cells'
 /// middles, projected along the layers' normal onto the plane through the origin.

@@ -18,7 +18,8 @@ std::string reasonToPlan(const Toolpath& toolpath, const LayerFigures& figures,
   PartUnderWay part{{}, figures.mean_error_mm, figures.gain_mean};
   for (std::size_t i = figures.layer + 1; i < toolpath.layers.size(); ++i)
     part.heights_left_mm.push_back(toolpath.layers[i].height_mm);
-  const double authority = std::min(settings.greatest_amount, settings.layer_volume);
+  const LayerAuthority authority{std::max(settings.least_amount, -settings.layer_volume),
+                                 std::min(settings.greatest_amount, settings.layer_volume)};
   if (part.heights_left_mm.empty() || !needsReplanning(part, figures.height_mm, authority)) return {};
   return "the layers are " + numberText(figures.mean_error_mm) + " mm too low in the mean, and the top " +
          "would end " + numberText(expectedTopError(part, authority)) +

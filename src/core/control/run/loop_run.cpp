@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/decimals.hpp"
 #include "control/run/cell_corrections.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
@@ -23,20 +22,6 @@ namespace {
 
 constexpr double kShiftBack = 0.2;           // layers per layer, as the nozzle's height is followed
 constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
-
-std::string reasonOf(const MissedMap& missed) {
-  return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
-         (missed.reason.empty() ? "none came within " + significantText(missed.waited_s, 3) + " s"
-                                : missed.reason);
-}
-
-/// Height of the highest known cell above the planned ground of the layer [mm].
-double highestCell(const std::vector<CellEstimate>& estimates) {
-  double highest = -1e9;
-  for (const CellEstimate& cell : estimates)
-    if (cell.isKnown()) highest = std::max(highest, -cell.error());
-  return highest;
-}
 
 }  // namespace
 
@@ -154,6 +139,7 @@ void LoopRun::finish() {
 }
 
 void LoopRun::hear(std::int64_t stamp_ns) {
+  heard_ns_ = stamp_ns;
   const auto latest_tip_ns = events_.latestTip();
   if (!latest_tip_ns || stamp_ns <= *latest_tip_ns) return;
   const double blind_s = secondsFrom(*latest_tip_ns, stamp_ns);
@@ -167,6 +153,7 @@ void LoopRun::restartClock() {
   events_ = StampedEvents();
   tip_ns_.reset();
   cloud_ns_.reset();
+  heard_ns_.reset();
   silent_s_ = 0.0;
   motion_ = SensorMotion();
   solid_.begin();  // what is left behind becomes solid by the new stamps
@@ -256,13 +243,8 @@ void LoopRun::layMapFrom(std::size_t cell) {
 /// The nozzle where the plan has it: what the loop shifts it by is off.
 Point3 LoopRun::correctedTip(const Point3& tip) const {
   if (!layer_ || progress_.place().layer != *layer_ || isAllZero(shift_mm_)) return tip;
-  const PrintPosition& place = progress_.place();
-  const auto& runs = loop_->cells().runs;
-  const auto run = std::lower_bound(runs.begin(), runs.end(), place.path,
-                                    [](const CellRun& each, std::size_t path) { return each.path < path; });
-  if (run == runs.end() || run->path != place.path) return tip;
-  const auto cell = static_cast<std::size_t>(std::max(0.0, place.along_mm / run->cellLength()));
-  return tip - shift_mm_[run->first + std::min(cell, run->count - 1)] * normal_;
+  const auto cell = cellAt(loop_->cells(), progress_.place());
+  return cell ? Point3(tip - shift_mm_[*cell] * normal_) : tip;
 }
 
 void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
@@ -300,13 +282,22 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
   if (layer_) readCloud(cloud);
 }
 
-/// What stands higher than cells are looked for. A layer that is not plane has no one height.
-void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
+/// What stands higher or lies lower than cells are looked for. A layer that is not plane has no one height.
+void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
   if (!atlas_.isPlane(*layer_)) return;
-  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
+  const double layer_mm = loop_->cells().height_mm.front();
   const double top = loop_->cells().middle.front().dot(normal_);
-  for (double& height : heights) height = std::isfinite(height) ? height - top : LumpWatch::kNone;
+  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
+  for (double& height : heights) height -= top;
   lump_.see(heights);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(heights[i] < -settings_.sight.window_layers * layer_mm)) continue;
+    const Point3 at = toolpath_from_sensor * points[i];
+    if ((part_.bed_from_part * at).z() < -layer_mm) continue;  // below the bed there is nothing
+    const auto over = atlas_.newestAt(Point3(at - heights[i] * normal_));
+    if (over && over->layer == *layer_ && over->across_share <= 0.5 * settings_.sight.crown_share)
+      fallen_.see(over->cell, -heights[i]);
+  }
 }
 
 void LoopRun::watchOffset() {
@@ -343,7 +334,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
-    if (progress_.place().is_scanning) watchLump(points, profile.toolpath_from_sensor);
+    if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(reading);
   }
   loop_->endCloud();
@@ -354,6 +345,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
 void LoopRun::trimLayer() {
   if (!trim_->advance(cellsDeposited(0.0), loop_->estimates())) return;
   laid_.amount = trim_->amount();
+  realise();
   loop_->relay(laid_);
   last_amount_ = laid_.amount.back();
   ++map_sequence_;
@@ -383,7 +375,10 @@ void LoopRun::use(const LayerReading& reading) {
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
   seen.is_scanning = progress_.place().is_scanning;
-  seen.silent_s = silent_s_;
+  // Of clouds that come, and that tf does not place, the sensor is not the cause.
+  const bool hears = heard_ns_ && tip_ns_ && secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
+  seen.silent_s = hears ? 0.0 : silent_s_;
+  seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = blind_s;
   seen.profiles = stuck_.profiles();
   seen.variance_mm2 = stuck_.variance();
@@ -423,6 +418,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   blockIfLump();
   offset_.begin(loop_->cells().size());
   lump_.reset();
+  fallen_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
   deposited_in_ = status_.state;
   laid_ = wanted();
@@ -432,6 +428,7 @@ void LoopRun::beginLayer(std::size_t layer) {
         "layer " + std::to_string(*layer_) +
         " was begun while nobody followed the print; expected its map before: it counts as deposited as "
         "planned");
+  realise();
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
@@ -499,12 +496,18 @@ void LoopRun::shiftNozzle() {
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
 }
 
-void LoopRun::publishMap() {
+/// What the speeds that the machine may go leave of the correction is what is laid.
+void LoopRun::realise() {
+  RealisedCorrection result = realised(loop_->cells(), laid_, shift_mm_, settings_.loop);
+  laid_ = std::move(result.laid);
+  told_ = std::move(result.told);
   mapped_ = {laid_, shift_mm_, deposited_in_};
-  const CellCorrections told = cellCorrections(loop_->cells(), laid_.amount, shift_mm_, settings_.loop);
+}
+
+void LoopRun::publishMap() {
   CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
-  if (!told.amount.empty() || !told.dz_mm.empty())
-    map = correctionMap(loop_->cells(), told, part_.toolpath_id, map_sequence_);
+  if (!told_.amount.empty() || !told_.dz_mm.empty())
+    map = correctionMap(loop_->cells(), told_, part_.toolpath_id, map_sequence_);
   news_.maps.push_back(std::move(map));
 }
 
@@ -515,7 +518,8 @@ bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
 
 void LoopRun::endLayer() {
   watchOffset();
-  const LayerFigures figures = loop_->endLayer();
+  LayerFigures figures = loop_->endLayer();
+  figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
   taught_.end(*loop_, laid_.amount);
   below_ = loop_->estimates();
   below_layer_ = *layer_;
