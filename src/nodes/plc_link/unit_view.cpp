@@ -12,6 +12,7 @@ namespace {
 constexpr double kMillimetres = 1e3;            // of a metre
 constexpr double kCubicMillimetres = 1e9;       // of a cubic metre
 constexpr double kLongestProcessSilence = 1.0;  // [s]
+constexpr double kLongestHeaterSilence = 2.0;   // [s]
 
 UnitState stateOf(const UnitView& view) { return unitState(view.unit.state).value_or(UnitState::Aborted); }
 
@@ -50,7 +51,8 @@ bool isStartedUp(const lamina_msgs::MachineState& machine) {
          });
 }
 
-/// Temperatures and targets are not a number where the firmware says none.
+/// By what was reported last, since a machine may go on heating when nothing runs on it. Temperatures and
+/// targets are not a number where the firmware says none.
 bool isHeating(const lamina_msgs::HeaterState& heaters) {
   return heaters.nozzle_target > 0.0 || heaters.bed_target > 0.0;
 }
@@ -106,10 +108,17 @@ JobStatus jobOf(const UnitView& view) {
 
 float known(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0F; }
 
-ProcessFigures processOf(const UnitView& view, bool is_process_heard) {
+/// Whether what came at a time is of now.
+bool isRecent(double heard_s, double now_s, double longest_s) {
+  return heard_s > 0.0 && now_s - heard_s <= longest_s;
+}
+
+ProcessFigures processOf(const UnitView& view, bool is_process_heard, double now_s) {
   ProcessFigures figures;
-  figures.nozzle_c = known(view.heaters.nozzle);
-  figures.bed_c = known(view.heaters.bed);
+  if (isRecent(view.heaters_heard_s, now_s, kLongestHeaterSilence)) {
+    figures.nozzle_c = known(view.heaters.nozzle);
+    figures.bed_c = known(view.heaters.bed);
+  }
   if (is_process_heard) figures.flow_mm3_s = known(view.process.flow * kCubicMillimetres);
   figures.mean_error_mm = known(view.layer.mean_error * kMillimetres);
   figures.rmse_mm = known(view.layer.rms_error * kMillimetres);
@@ -121,8 +130,7 @@ ProcessFigures processOf(const UnitView& view, bool is_process_heard) {
 
 PlcStatus plcStatus(const UnitView& view, double now_s) {
   PlcStatus status;
-  const bool is_process_heard =
-      view.process_heard_s > 0.0 && now_s - view.process_heard_s <= kLongestProcessSilence;
+  const bool is_process_heard = isRecent(view.process_heard_s, now_s, kLongestProcessSilence);
   const double age_s = std::max(0.0, now_s - view.unit_heard_s);
   status.flags = flagsOf(view, is_process_heard);
   status.mode = status.mode_requested = view.unit.mode;
@@ -135,7 +143,7 @@ PlcStatus plcStatus(const UnitView& view, double now_s) {
                  2147483647.0));
   status.alarms = alarmsOf(view);
   status.job = jobOf(view);
-  status.process = processOf(view, is_process_heard);
+  status.process = processOf(view, is_process_heard, now_s);
   status.counters = counted({}, view.unit.mode, status.state, view.unit.since_reset + age_s);
   status.counters.parts = view.unit.parts;
   status.counters.defective = view.unit.defective;

@@ -30,7 +30,7 @@ UnitView printing() {
   view.unit.in_mode = 100.0;
   view.unit.since_reset = 1000.0;
   view.unit.parts = 3;
-  view.unit_heard_s = 50.0;
+  view.unit_heard_s = view.heaters_heard_s = 50.0;
   view.machine.state = lamina_msgs::MachineState::EXECUTE;
   view.machine.state_name = "Execute";
   view.heaters.nozzle = 210.5;
@@ -92,6 +92,16 @@ TEST(UnitView, ShowsWhatStopsAndWaits) {
     EXPECT_TRUE(hasFlag(status, flag)) << static_cast<int>(flag);
   EXPECT_FALSE(hasFlag(status, StatusFlag::Motion));
   EXPECT_FALSE(hasFlag(status, StatusFlag::StartupDone));
+}
+
+// The streamer says nothing of the heaters once its job has ended: they cool, or are heated by somebody else.
+TEST(UnitView, ShowsNoTemperaturesOfAJobThatHasEnded) {
+  const UnitView view = printing();
+  EXPECT_FLOAT_EQ(plcStatus(view, 51.9).process.nozzle_c, 210.5F);
+  const PlcStatus later = plcStatus(view, 52.1);
+  EXPECT_EQ(later.process.nozzle_c, 0.0F);
+  EXPECT_TRUE(hasFlag(later, StatusFlag::HeatersOn)) << "nobody has said that they were switched off";
+  EXPECT_EQ(plcStatus(UnitView(), 1.0).process.nozzle_c, 0.0F);
 }
 
 TEST(UnitView, ShowsProcessAndLoopWhileTheySpeak) {
