@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "lamina/journal/cell_journal.hpp"
+
 namespace lamina {
 namespace {
 
@@ -89,6 +91,17 @@ std::uint32_t seconds(double time_s) {
   return static_cast<std::uint32_t>(std::clamp(std::floor(time_s), 0.0, 4294967294.0));
 }
 
+/// The first job that is allowed to start. The PLC's Start begins none while one that was cut off waits to be
+/// decided on.
+std::uint32_t nextJob(const UnitView& view) {
+  if (view.unit.resume_waits != 0) return 0;
+  const auto& jobs = view.queue.jobs;
+  const auto next = std::find_if(jobs.begin(), jobs.end(), [](const lamina_msgs::CellJob& job) {
+    return job.state == static_cast<std::uint8_t>(JobState::AllowedToStart);
+  });
+  return next == jobs.end() ? 0 : next->id;
+}
+
 JobStatus jobOf(const UnitView& view) {
   JobStatus job;
   job.id = view.unit.job.id;
@@ -96,6 +109,7 @@ JobStatus jobOf(const UnitView& view) {
   const auto waits = [](const lamina_msgs::CellJob& queued) { return queued.state <= 2; };
   job.queued = static_cast<std::uint16_t>(
       std::min<std::ptrdiff_t>(65535, std::count_if(view.queue.jobs.begin(), view.queue.jobs.end(), waits)));
+  job.next = nextJob(view);
   job.layer = view.unit.layer;
   job.layers = view.unit.layers;
   job.fraction = static_cast<float>(view.unit.fraction);

@@ -94,6 +94,20 @@ TEST(UnitView, ShowsWhatStopsAndWaits) {
   EXPECT_FALSE(hasFlag(status, StatusFlag::StartupDone));
 }
 
+TEST(UnitView, NamesTheJobThatStartWouldBegin) {
+  UnitView view = printing();
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 0U) << "the queue is empty";
+  view.queue.jobs.resize(4);
+  for (std::size_t i = 0; i < view.queue.jobs.size(); ++i)
+    view.queue.jobs[i].id = static_cast<std::uint32_t>(70 + i);
+  view.queue.jobs[0].state = 3;  // it runs
+  view.queue.jobs[1].state = 1;  // not released yet
+  view.queue.jobs[2].state = view.queue.jobs[3].state = 2;
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 72U);
+  view.unit.resume_waits = 1;
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 0U) << "what was cut off is decided on first, and not by the PLC";
+}
+
 // The streamer says nothing of the heaters once its job has ended: they cool, or are heated by somebody else.
 TEST(UnitView, ShowsNoTemperaturesOfAJobThatHasEnded) {
   const UnitView view = printing();
