@@ -22,12 +22,14 @@ TEST_F(PersonWaitTest, EndsTheWaitOfAMachineThatHearsMeanwhile) {
     EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4) + line(5));
     streamer.receive("echo:busy: paused for user\n", 2.1);
     EXPECT_EQ(streamer.status().state, PackmlState::Held) << firmware;
+    EXPECT_EQ(streamer.status().wait, streamer.status().message);
     EXPECT_EQ(streamer.status().message,
               "the machine waits for a person: \"echo:busy: paused for user\"; resume makes it go on (M108)");
     streamer.receive("echo:busy: paused for user\n", 4.1);
     EXPECT_EQ(streamer.takeOutput(), "");
     EXPECT_TRUE(streamer.resume(5.0));
     EXPECT_EQ(streamer.takeOutput(), "M108\n");
+    EXPECT_EQ(streamer.status().wait, "");
     EXPECT_EQ(streamer.status().state, PackmlState::Execute);
     streamer.receive("ok\nok\nok\nok\n", 5.1);
     EXPECT_EQ(streamer.takeOutput(), line(6) + line(7) + line(8));
@@ -51,6 +53,7 @@ TEST_F(PersonWaitTest, WaitsForAPersonAtAMachineThatHearsNothingMeanwhile) {
   streamer.receive("echo:busy: paused for user\n", 4.1);
   EXPECT_EQ(streamer.status().state, PackmlState::Held) << "it still waits";
   streamer.receive("ok\n", 60.0);  // somebody has pressed it
+  EXPECT_EQ(streamer.status().wait, "");
   EXPECT_EQ(streamer.status().state, PackmlState::Execute);
   EXPECT_EQ(streamer.takeOutput(), line(5));
 }

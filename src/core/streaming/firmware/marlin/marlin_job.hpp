@@ -77,16 +77,18 @@ class MarlinJob final : public StreamJob {
     const PersonWait::News news = person_.hear(reply);
     if (news == PersonWait::News::None || isStopping()) return;
     if (news == PersonWait::News::Ended) {
+      record_.status.wait.clear();
       if (is_paused_by_machine_) resume(now);
       return;
     }
-    record_.status.message = person_.advice(reply.text);
+    record_.status.message = record_.status.wait = person_.advice(reply.text);
     if (record_.status.state == PackmlState::Execute && pause(now)) is_paused_by_machine_ = true;
     // The lines under way wait behind the one that waits.
     if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
   }
   /// Makes a machine go on that waits for a person. The answer comes behind those to the lines under way.
   void releaseFromWait() {
+    record_.status.wait.clear();
     if (!person_.release()) return;
     for (const std::string& command : firmware_->interruption()) {
       output_ += command + "\n";
