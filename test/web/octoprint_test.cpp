@@ -170,9 +170,13 @@ TEST(OctoPrint, SaysWhereASentFileIsAndLetsItBeSelected) {
 TEST(OctoPrint, GivesNoTemperatureThatIsNoLongerReported) {
   SiteOfFakes site;
   site.desk.seen.machine.nozzle_degc = 210.0;
+  site.desk.seen.machine.nozzle_target_degc = 215.0;
   site.desk.seen.machine_heard_s = site.now.steady_s;
   EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["actual"], 210.0);
+  EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["target"], 215.0);
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["bed"]["target"].is_null());
   site.now.steady_s += 10.0;
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["target"].is_null());
   EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["actual"].is_null());
   const std::string metrics = site.ask(HttpMethod::Get, "/api/v1/metrics", {}).body;
   EXPECT_EQ(metrics.find("lamina_nozzle_celsius"), std::string::npos) << metrics;

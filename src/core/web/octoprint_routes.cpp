@@ -157,13 +157,14 @@ WebResponse getPrinter(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const Mapped state = stateOf(seen, call.now);
   const ShownMachine machine = presentMachine(seen, call.now);
-  const auto heater = [](double actual) {
-    return json{{"actual", actual}, {"target", nullptr}, {"offset", 0}};
+  const auto heater = [](double actual, double target) {
+    return json{{"actual", actual}, {"target", target}, {"offset", 0}};
   };
-  json printer = {
-      {"state", {{"text", state.text}, {"flags", flagsOf(state, seen)}}},
-      {"temperature", {{"tool0", heater(machine.nozzle_degc)}, {"bed", heater(machine.bed_degc)}}},
-      {"sd", {{"ready", false}}}};
+  json printer = {{"state", {{"text", state.text}, {"flags", flagsOf(state, seen)}}},
+                  {"temperature",
+                   {{"tool0", heater(machine.nozzle_degc, machine.nozzle_target_degc)},
+                    {"bed", heater(machine.bed_degc, machine.bed_target_degc)}}},
+                  {"sd", {{"ready", false}}}};
   const auto excluded = call.admitted.target.query.find("exclude");
   if (excluded == call.admitted.target.query.end()) return jsonAnswer(200, printer);
   std::string parts = excluded->second;
