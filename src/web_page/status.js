@@ -29,7 +29,8 @@ export function showState(state, layers) {
   document.body.dataset.kind = kinds[unit.state] ?? "rest";
   setText(byId("state-symbol"), symbols[unit.state] ?? "●");
   setText(byId("state-name"), texts.states[unit.state] ?? unit.state);
-  setText(byId("state-detail"), unit.stop_reason ? unit.stop_reason.message : texts.state_hints[unit.state] ?? "");
+  const wait = unit.state === "Held" ? state.machine?.failure : "";
+  setText(byId("state-detail"), unit.stop_reason?.message || wait || (texts.state_hints[unit.state] ?? ""));
   const facts = [
     [texts.fact_job, job ? job.name : texts.none],
     [texts.fact_layer, progress.layer < 0 ? texts.none : texts.layer_of(progress.layer + 1, layers)],

@@ -37,6 +37,11 @@ TEST(AlarmTable, HasTheCategoriesThatAreSpecified) {
   EXPECT_EQ(found, expected);
 }
 
+// The machine was stopped amid what it had accepted: to resume the job where it was is refused.
+TEST(AlarmTable, SaysHowTheRestOfAnEndedStreamersJobIsPrinted) {
+  EXPECT_NE(std::string(alarmKind(2202).remedy).find("lamina resume"), std::string::npos);
+}
+
 TEST(AlarmTable, RefusesWhatItDoesNotHave) {
   EXPECT_EQ(alarmKind(3104).category, AlarmCategory::Abort);
   EXPECT_THROW(alarmKind(3107), InvalidInput);

@@ -314,6 +314,24 @@ TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
   ASSERT_TRUE(cell.reaches(UnitState::Execute));
   cell.executor.report.phase = ExecutorPhase::Paused;
   EXPECT_TRUE(cell.reaches(UnitState::Held));
+  cell.executor.report.phase = ExecutorPhase::Running;  // somebody has pressed the machine's button
+  EXPECT_TRUE(cell.reaches(UnitState::Execute));
+}
+
+TEST(ProductionCell, StaysHeldByAPersonWhateverTheExecutorDoes) {
+  Cell cell;
+  bringToIdle(cell);
+  cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.executor.report.phase = ExecutorPhase::Paused;
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.executor.report.phase = ExecutorPhase::Running;
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.command(UnitCommand::Hold);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.executor.report.phase = ExecutorPhase::Running;
+  EXPECT_FALSE(cell.reaches(UnitState::Execute));
 }
 
 TEST(ProductionCell, CompletesAJobThatWasDoneWhileItWasDead) {

@@ -72,6 +72,15 @@ TEST(RegisterMap, LetsAProgrammerCheckItsWordOrder) {
   EXPECT_EQ(low[6], 0x5000);
 }
 
+TEST(RegisterMap, NamesTheJobThatStartWouldBegin) {
+  PlcStatus status;
+  EXPECT_EQ(inputRegisters(status, {}, WordOrder::HighFirst)[95], 0);
+  status.job.next = 0x20001;
+  EXPECT_EQ(inputRegisters(status, {}, WordOrder::HighFirst)[94], 2);
+  EXPECT_EQ(inputRegisters(status, {}, WordOrder::HighFirst)[95], 1);
+  EXPECT_EQ(inputRegisters(status, {}, WordOrder::LowFirst)[94], 1);
+}
+
 TEST(RegisterMap, SaysAbortedUntilTheUnitReportsItsState) {
   const InputRegisters registers = inputRegisters({}, {}, WordOrder::HighFirst);
   EXPECT_EQ(registers[10], 9) << "PackML's number of Aborted";

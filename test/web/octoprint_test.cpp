@@ -70,6 +70,77 @@ TEST(OctoPrint, ReleasesForOperatorsWhereThatIsAllowed) {
   EXPECT_EQ(site.desk.orders().back(), "change 0 of 7 by octoprint: operator");
 }
 
+// pyoctoprintapi, by which Home Assistant speaks, takes the printer's number from here and fails without it.
+TEST(OctoPrint, HasANumberThatIsItsOwnAndStays) {
+  const auto numberOf = [](const std::string& identity) {
+    SiteSettings settings;
+    settings.identity = identity;
+    return SiteOfFakes(settings).get("/api/settings")["plugins"]["discovery"]["upnpUuid"].get<std::string>();
+  };
+  const std::string number = numberOf("cell 1");
+  ASSERT_EQ(number.size(), 36U) << number;
+  for (const std::size_t at : {8U, 13U, 18U, 23U}) EXPECT_EQ(number[at], '-') << number;
+  EXPECT_EQ(number[14], '8') << "version of the UUID";
+  EXPECT_EQ(number[19], 'a') << "variant";
+  EXPECT_EQ(numberOf("cell 1"), number);
+  EXPECT_NE(numberOf("cell 2"), number);
+}
+
+// https://docs.octoprint.org/en/1.11.2/api/connection.html
+TEST(OctoPrint, SaysThatItIsConnectedAndConnectsNothing) {
+  SiteOfFakes site(closedLoopback());
+  const std::string token = site.add(WebRole::Operator, "o");
+  const auto connection = site.get("/api/connection", token);
+  EXPECT_EQ(connection["current"]["state"], "Operational");
+  EXPECT_EQ(connection["current"]["printerProfile"], "_default");
+  EXPECT_TRUE(connection["options"]["ports"].is_array());
+  EXPECT_EQ(connection["options"]["printerProfiles"][0]["id"], "_default");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/connection", {{"x-api-key", token}}, R"({"command":"connect"})")
+                .status,
+            403);
+  EXPECT_TRUE(site.desk.orders().empty());
+}
+
+TEST(OctoPrint, LeavesOutOfThePrinterWhatIsNotAskedFor) {
+  SiteOfFakes site;
+  const auto whole = site.get("/api/printer");
+  EXPECT_EQ(whole["sd"]["ready"], false);
+  EXPECT_EQ(whole.size(), 3U);
+  const auto state = site.get("/api/printer?exclude=temperature,sd");
+  EXPECT_EQ(state["state"]["text"], "Operational");
+  EXPECT_EQ(state.size(), 1U);
+}
+
+TEST(OctoPrint, SaysWhichWayAJobGoes) {
+  SiteOfFakes site;
+  site.desk.seen.unit.state = UnitState::Unholding;
+  EXPECT_EQ(site.get("/api/printer")["state"]["flags"]["resuming"], true);
+  EXPECT_EQ(site.get("/api/printer")["state"]["flags"]["finishing"], false);
+  site.desk.seen.unit.state = UnitState::Completing;
+  EXPECT_EQ(site.get("/api/printer")["state"]["flags"]["finishing"], true);
+  EXPECT_EQ(site.get("/api/printer")["state"]["flags"]["resuming"], false);
+}
+
+TEST(OctoPrint, ListsTheQueueAsFilesForWhoMaySeeIt) {
+  SiteOfFakes site(closedLoopback());
+  ShownJob job;
+  job.name = "h\xc3\xa4lfte 2.gcode";
+  site.desk.seen.queue = {job};
+  const std::string token = site.add(WebRole::Viewer, "v");
+  const std::string place = "/api/files/local/h%C3%A4lfte%202.gcode";
+  for (const char* path : {"/api/files", "/api/files/local", "/api/files?recursive=true"}) {
+    const auto files = site.get(path, token)["files"];
+    ASSERT_EQ(files.size(), 1U) << path;
+    EXPECT_EQ(files[0]["display"], job.name);
+    EXPECT_EQ(files[0]["refs"]["resource"], place);
+  }
+  EXPECT_EQ(site.get(place, token)["path"], job.name);
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/files/local/none.gcode", {{"x-api-key", token}}).status, 404);
+  const std::string sender = site.add(WebRole::Sender, "s");
+  EXPECT_TRUE(site.get("/api/files/local", sender)["files"].empty());
+  EXPECT_EQ(site.ask(HttpMethod::Get, place, {{"x-api-key", sender}}).status, 404);
+}
+
 std::string headerOf(const WebResponse& response, const std::string& name) {
   for (const auto& [key, value] : response.headers)
     if (key == name) return value;
@@ -99,9 +170,13 @@ TEST(OctoPrint, SaysWhereASentFileIsAndLetsItBeSelected) {
 TEST(OctoPrint, GivesNoTemperatureThatIsNoLongerReported) {
   SiteOfFakes site;
   site.desk.seen.machine.nozzle_degc = 210.0;
+  site.desk.seen.machine.nozzle_target_degc = 215.0;
   site.desk.seen.machine_heard_s = site.now.steady_s;
   EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["actual"], 210.0);
+  EXPECT_EQ(site.get("/api/printer")["temperature"]["tool0"]["target"], 215.0);
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["bed"]["target"].is_null());
   site.now.steady_s += 10.0;
+  EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["target"].is_null());
   EXPECT_TRUE(site.get("/api/printer")["temperature"]["tool0"]["actual"].is_null());
   const std::string metrics = site.ask(HttpMethod::Get, "/api/v1/metrics", {}).body;
   EXPECT_EQ(metrics.find("lamina_nozzle_celsius"), std::string::npos) << metrics;
@@ -118,6 +193,25 @@ TEST(OctoPrint, SaysHowFarAJobIs) {
   EXPECT_EQ(progress["completion"], 25.0);
   site.desk.seen.unit.elapsed_s = -5.0;  // a clock that was set back
   EXPECT_EQ(site.get("/api/job")["progress"]["printTime"], 0.0);
+}
+
+// https://docs.octoprint.org/en/1.11.2/api/datamodel.html#job-information: what is there in any case.
+TEST(OctoPrint, HasEachFieldOfAJob) {
+  SiteOfFakes site;
+  const auto none = site.get("/api/job");
+  for (const char* field : {"name", "display", "path", "origin", "size", "date"}) {
+    ASSERT_TRUE(none["job"]["file"].contains(field)) << field;
+    EXPECT_TRUE(none["job"]["file"][field].is_null()) << field;
+  }
+  for (const char* field : {"completion", "filepos", "printTime", "printTimeLeft", "printTimeLeftOrigin"})
+    EXPECT_TRUE(none["progress"].contains(field)) << field;
+  for (const char* field : {"estimatedPrintTime", "lastPrintTime", "filament"})
+    EXPECT_TRUE(none["job"].contains(field)) << field;
+  site.desk.seen.unit.job = ShownJob{};
+  site.desk.seen.unit.job->name = "part.gcode";
+  const auto file = site.get("/api/job")["job"]["file"];
+  EXPECT_EQ(file["display"], "part.gcode");
+  EXPECT_EQ(file["origin"], "local");
 }
 
 TEST(OctoPrint, GoesOnFromWhatItWasPausedFor) {

@@ -217,6 +217,22 @@ TEST(WebServer, RefusesBodiesThatAreTooLarge) {
   EXPECT_TRUE(fakes.site.desk.orders().empty());
 }
 
+// Programs that send all of a file before they read would see a broken pipe, and not why.
+TEST(WebServer, SaysHowLargeAFileMayBeToWhoSendsOn) {
+  SiteSettings small;
+  small.most_upload_bytes = 1000;
+  const ServerOfFakes fakes(small);
+  const RawClient client(fakes.server.port());
+  const std::string form = formOf("b", std::string(std::size_t{32} << 20, 'x'));
+  EXPECT_TRUE(client.send(postForm(form) + form));
+  const std::string answer = client.answer();
+  EXPECT_EQ(statusIn(answer), 413);
+  EXPECT_NE(answer.find("the upload has " + std::to_string(form.size()) +
+                        " bytes; expected a file of at most 1000 "),
+            std::string::npos)
+      << answer;
+}
+
 TEST(WebServer, RefusesHeadsThatAreTooLargeOrNoHttp) {
   const ServerOfFakes fakes;
   EXPECT_EQ(statusIn(fakes.ask("GET / HTTP/1.1\r\nHost: localhost\r\nX: " + std::string(10 << 20, 'x'))),

@@ -154,6 +154,7 @@ class ProductionCell {
                                 CutOffJob cut_off) const;
   void settle(CellTime now);
   void pauseAgain(CellTime now);
+  void followPause(CellTime now);
   bool isComplete() const;
   bool isAtWork() const;
   QueuedJob nextJob() const;
@@ -180,8 +181,9 @@ class ProductionCell {
   std::uint64_t order_ = 0;                ///< number of the last order to start
   /// Phase of a job in the executor that is not of this cell.
   ExecutorPhase bystander_ = ExecutorPhase::Resting;
-  bool has_run_ = false;      ///< whether the job has run since the last start
-  bool is_given_up_ = false;  ///< whether the job that ends is not to be offered for resuming
+  bool has_run_ = false;              ///< whether the job has run since the last start
+  bool is_held_by_executor_ = false;  ///< whether the unit was held last since its executor paused by itself
+  bool is_given_up_ = false;          ///< whether the job that ends is not to be offered for resuming
   bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;

@@ -53,6 +53,7 @@ struct JobStatus {
   std::uint16_t state =
       0;  ///< of ISA-95 (OPC 10031-4): 1 not allowed to start ... 6 aborted; 0 without a job
   std::uint16_t queued = 0;
+  std::uint32_t next = 0;   ///< job that Start would begin; 0 for none
   std::int32_t layer = -1;  ///< -1 before the first
   std::int32_t layers = 0;
   float fraction = 0.0F;

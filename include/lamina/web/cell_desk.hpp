@@ -78,6 +78,8 @@ struct ShownMachine {
   std::string job;  ///< name of the file that is running
   double nozzle_degc = kNotMeasured;
   double bed_degc = kNotMeasured;
+  double nozzle_target_degc = kNotMeasured;  ///< 0 while it is off
+  double bed_target_degc = kNotMeasured;     ///< the same
   std::array<double, 3> position_m = {kNotMeasured, kNotMeasured, kNotMeasured};
   std::string failure;
 };

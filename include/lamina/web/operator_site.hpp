@@ -39,6 +39,7 @@ struct SiteSettings {
   FreeBytes free_bytes = freeForUploads;  ///< returns the free space on the disk of `upload_folder`
   std::string journal_folder;  ///< folder of the cell's journal, from which records of parts are read
   UploadPrint upload_print = UploadPrint::Wait;
+  std::string identity = {};  ///< text that no other page has, and that this one keeps over restarts
   std::vector<std::string> notices = {};  ///< shown on the page as long as the site runs
 };
 

@@ -43,7 +43,9 @@ std::vector<AlarmKind> linkAlarms() {
       {2103, Category::Warning, kEvent, "malformed Modbus frames",
        "Look for a second client, a wrong word order, or a port scan."},
       {2201, Category::Hold, kCondition, "executor lost", "Look whether it runs, and at its log."},
-      {2202, Category::Abort, kEvent, "executor does not answer", "Look at its log; Clear connects anew."},
+      {2202, Category::Abort, kEvent, "executor does not answer",
+       "Look at its log; Clear connects anew; if it was ended, it has stopped its machine, and lamina resume "
+       "makes a program of the rest."},
       {2203, Category::Abort, kEvent, "machine stopped in its executor's place",
        "Find out why the executor died; what was under way does not go on from here by itself."},
       {2204, Category::Abort, kCondition, "machine without executor not stopped",

@@ -318,11 +318,20 @@ void ProductionCell::pauseAgain(CellTime now) {
   executor_.pause();
 }
 
+/// An executor may pause and go on by itself, as a machine does that waits for a person.
+void ProductionCell::followPause(CellTime now) {
+  const UnitState state = unit_.status().state;
+  if (state == UnitState::Execute) is_held_by_executor_ = report_.phase == ExecutorPhase::Paused;
+  if (!is_held_by_executor_) return;
+  if (state == UnitState::Execute) unit_.command({UnitCommand::Hold, "executor", {}, {}}, now.steady_s);
+  if (state == UnitState::Held && report_.phase == ExecutorPhase::Running)
+    unit_.command({UnitCommand::Unhold, "executor", {}, {}}, now.steady_s);
+}
+
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
   pauseAgain(now);
-  if (unit_.status().state == UnitState::Execute && report_.phase == ExecutorPhase::Paused)
-    unit_.command({UnitCommand::Hold, "executor", {}, {}}, now.steady_s);
+  followPause(now);
   settle(now);
   while (isComplete()) {
     const std::uint32_t before = unit_.status().sequence;

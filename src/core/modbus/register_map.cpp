@@ -110,6 +110,7 @@ void putJob(RegisterWriter& writer, const JobStatus& job) {
   writer.putLong(40, job.id);
   writer.put(42, job.state);
   writer.put(43, job.queued);
+  writer.putLong(94, job.next);
   writer.putLong(44, job.layer);
   writer.putLong(46, job.layers);
   writer.putFloat(48, job.fraction);

@@ -23,8 +23,8 @@ const Row* rowOf(const std::vector<Row>& rows, const Key& key, Key Row::*field) 
 ShownMachine presentMachine(const CellSnapshot& seen, const CellTime& now) {
   ShownMachine machine = seen.machine;
   if (seen.machine_heard_s && now.steady_s - *seen.machine_heard_s <= kLongestSilence) return machine;
-  machine.nozzle_degc = kNotMeasured;
-  machine.bed_degc = kNotMeasured;
+  machine.nozzle_degc = machine.nozzle_target_degc = kNotMeasured;
+  machine.bed_degc = machine.bed_target_degc = kNotMeasured;
   return machine;
 }
 

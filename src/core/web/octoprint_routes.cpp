@@ -5,11 +5,13 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/percent_encoding.hpp"
+#include "lamina/base/sha256.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/base/version.hpp"
 #include "web/site_routes.hpp"
 
 // Enough of OctoPrint's interface that slicers find a printer and send to it. Source: OctoPrint's public API
-// documentation; which requests slicers make is in docs/cell/operator-page.md.
+// documentation; which requests clients make is in docs/cell/operator-page.md.
 namespace lamina {
 namespace {
 
@@ -88,13 +90,25 @@ WebResponse login(SiteCall& call) {
 
 WebResponse getCurrentUser(SiteCall& call) { return jsonAnswer(200, userJson(call)); }
 
+/// The page's identity in the form of a UUID of version 8, that of a maker's own kind.
+std::string uuidOf(const std::string& identity) {
+  std::string digits = sha256Of(identity).substr(0, 32);
+  digits[12] = '8';
+  digits[16] = 'a';
+  for (const std::size_t at : {20U, 16U, 12U, 8U}) digits.insert(at, "-");
+  return digits;
+}
+
 WebResponse getSettings(SiteCall& call) {
+  // Home Assistant knows a printer by this, and adds none without it.
+  const json discovery = {
+      {"upnpUuid", uuidOf(call.parts.settings.identity)}, {"publicHost", nullptr}, {"publicPort", nullptr}};
   const bool has_camera = call.parts.desk.snapshot().has_camera;
   return jsonAnswer(200, {{"api", {{"enabled", true}, {"allowCrossOrigin", false}}},
                           {"appearance", {{"name", "Lamina"}, {"color", "default"}}},
                           {"feature", {{"sdSupport", false}, {"modelSizeDetection", false}}},
                           {"folder", json::object()},
-                          {"plugins", json::object()},
+                          {"plugins", {{"discovery", discovery}}},
                           {"serial", json::object()},
                           {"server", json::object()},
                           {"temperature", {{"profiles", json::array()}}},
@@ -112,34 +126,57 @@ WebResponse getProfiles(SiteCall& /*call*/) {
                            {{"_default",
                              {{"id", "_default"},
                               {"name", "Lamina"},
+                              {"color", "default"},
                               {"model", "Lamina cell"},
                               {"default", true},
                               {"current", true},
+                              {"resource", "/api/printerprofiles/_default"},
                               {"heatedBed", true},
+                              {"heatedChamber", false},
                               {"extruder", {{"count", 1}}}}}}}});
+}
+
+json flagsOf(const Mapped& state, const CellSnapshot& seen) {
+  const std::string text = state.text;
+  const UnitState unit = seen.unit.state;
+  const bool is_resuming = unit == UnitState::Unholding || unit == UnitState::Unsuspending;
+  return {{"operational", !state.is_error},
+          {"printing", state.is_printing},
+          {"paused", state.is_paused},
+          {"pausing", text == "Pausing"},
+          {"resuming", is_resuming && !state.is_error},
+          {"finishing", unit == UnitState::Completing && !state.is_error},
+          {"cancelling", text == "Cancelling"},
+          {"ready", state.is_ready},
+          {"error", state.is_error},
+          {"closedOrError", state.is_error},
+          {"sdReady", false}};
 }
 
 WebResponse getPrinter(SiteCall& call) {
   const CellSnapshot seen = call.parts.desk.snapshot();
   const Mapped state = stateOf(seen, call.now);
   const ShownMachine machine = presentMachine(seen, call.now);
-  const auto heater = [](double actual) {
-    return json{{"actual", actual}, {"target", nullptr}, {"offset", 0}};
+  const auto heater = [](double actual, double target) {
+    return json{{"actual", actual}, {"target", target}, {"offset", 0}};
   };
-  return jsonAnswer(
-      200, {{"state",
-             {{"text", state.text},
-              {"flags",
-               {{"operational", !state.is_error},
-                {"printing", state.is_printing},
-                {"paused", state.is_paused},
-                {"pausing", std::string(state.text) == "Pausing"},
-                {"cancelling", std::string(state.text) == "Cancelling"},
-                {"ready", state.is_ready},
-                {"error", state.is_error},
-                {"closedOrError", state.is_error},
-                {"sdReady", false}}}}},
-            {"temperature", {{"tool0", heater(machine.nozzle_degc)}, {"bed", heater(machine.bed_degc)}}}});
+  json printer = {{"state", {{"text", state.text}, {"flags", flagsOf(state, seen)}}},
+                  {"temperature",
+                   {{"tool0", heater(machine.nozzle_degc, machine.nozzle_target_degc)},
+                    {"bed", heater(machine.bed_degc, machine.bed_target_degc)}}},
+                  {"sd", {{"ready", false}}}};
+  const auto excluded = call.admitted.target.query.find("exclude");
+  if (excluded == call.admitted.target.query.end()) return jsonAnswer(200, printer);
+  std::string parts = excluded->second;
+  std::replace(parts.begin(), parts.end(), ',', ' ');
+  for (const std::string& part : splitIntoWords(parts)) printer.erase(part);
+  return jsonAnswer(200, printer);
+}
+
+/// A job's program as a file. Neither size nor date are told by the cell.
+json fileJson(const std::string& name) {
+  return {{"name", name},      {"display", name}, {"path", name},
+          {"origin", "local"}, {"size", nullptr}, {"date", nullptr}};
 }
 
 WebResponse getPrintJob(SiteCall& call) {
@@ -149,27 +186,70 @@ WebResponse getPrintJob(SiteCall& call) {
     const std::lock_guard<std::mutex> lock(call.parts.history_mutex);
     left = call.parts.history.left();
   }
-  const json name = seen.unit.job ? json(seen.unit.job->name) : json(nullptr);
+  const bool has_job = seen.unit.job.has_value();
+  json file = fileJson(seen.unit.job ? seen.unit.job->name : "");
+  if (!has_job) file["name"] = file["display"] = file["path"] = file["origin"] = nullptr;
   // Without a time that is gone Cura shows no progress at all.
   const double gone_s = std::max(0.0, std::round(seen.unit.elapsed_s));
-  return jsonAnswer(200, {{"job", {{"file", {{"name", name}, {"origin", "local"}, {"path", name}}}}},
+  const json left_s = left ? json(std::round(left->seconds)) : json(nullptr);
+  const json whole_s = left && has_job ? json(gone_s + std::round(left->seconds)) : json(nullptr);
+  return jsonAnswer(200, {{"job",
+                           {{"file", file},
+                            {"estimatedPrintTime", whole_s},
+                            {"averagePrintTime", nullptr},
+                            {"lastPrintTime", nullptr},
+                            {"filament", nullptr}}},
                           {"progress",
-                           {{"completion", seen.unit.job ? json(seen.unit.fraction * 100.0) : json(nullptr)},
-                            {"printTime", seen.unit.job ? json(gone_s) : json(nullptr)},
-                            {"printTimeLeft", left ? json(std::round(left->seconds)) : json(nullptr)}}},
+                           {{"completion", has_job ? json(seen.unit.fraction * 100.0) : json(nullptr)},
+                            {"filepos", nullptr},
+                            {"printTime", has_job ? json(gone_s) : json(nullptr)},
+                            {"printTimeLeft", left_s},
+                            {"printTimeLeftOrigin", left ? json("linear") : json(nullptr)}}},
                           {"state", stateOf(seen, call.now).text}});
 }
 
-WebResponse getFiles(SiteCall& call) {
+std::string placeOf(const std::string& name) { return "/api/files/local/" + percentEncoded(name, "-._~"); }
+
+/// The queue as files, for who may see it.
+json filesJson(const SiteCall& call) {
   json files = json::array();
-  if (mayDo(*call.who().role, WebRight::SeeAll))
-    for (const ShownJob& job : call.parts.desk.snapshot().queue)
-      files.push_back({{"name", job.name},
-                       {"path", job.name},
-                       {"type", "machinecode"},
-                       {"typePath", {"machinecode", "gcode"}},
-                       {"origin", "local"}});
-  return jsonAnswer(200, {{"files", files}, {"free", nullptr}});
+  if (!mayDo(*call.who().role, WebRight::SeeAll)) return files;
+  for (const ShownJob& job : call.parts.desk.snapshot().queue) {
+    json file = fileJson(job.name);
+    file["type"] = "machinecode";
+    file["typePath"] = {"machinecode", "gcode"};
+    file["refs"] = {{"resource", placeOf(job.name)}};
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+WebResponse getFiles(SiteCall& call) {
+  return jsonAnswer(200, {{"files", filesJson(call)}, {"free", nullptr}});
+}
+
+WebResponse getQueuedFile(SiteCall& call) {
+  for (const json& file : filesJson(call))
+    if (file["name"] == call.value(0)) return jsonAnswer(200, file);
+  return errorAnswer(404, "unknown", "no job of the queue is called '" + call.value(0) + "'");
+}
+
+WebResponse getConnection(SiteCall& call) {
+  json profiles = json::array();
+  profiles.push_back({{"name", "Lamina"}, {"id", "_default"}});
+  return jsonAnswer(200, {{"current",
+                           {{"state", stateOf(call.parts.desk.snapshot(), call.now).text},
+                            {"port", nullptr},
+                            {"baudrate", nullptr},
+                            {"printerProfile", "_default"}}},
+                          {"options",
+                           {{"ports", json::array()},
+                            {"baudrates", json::array()},
+                            {"printerProfiles", profiles},
+                            {"portPreference", nullptr},
+                            {"baudratePreference", nullptr},
+                            {"printerProfilePreference", "_default"},
+                            {"autoconnect", true}}}});
 }
 
 bool isWanted(const ReceivedUpload& upload, const char* field) {
@@ -202,7 +282,7 @@ WebResponse addFile(SiteCall& call) {
                            mayDo(*call.who().role, WebRight::Operate) &&
                            call.parts.desk.changeQueue(QueueChange::Release, answer.job, source).outcome ==
                                DeskAnswer::Outcome::Done;
-  const std::string place = "/api/files/local/" + percentEncoded(upload.name, "-._~");
+  const std::string place = placeOf(upload.name);
   WebResponse response = jsonAnswer(
       201, {{"files",
              {{"local",
@@ -272,6 +352,12 @@ WebResponse refuseGcode(SiteCall& /*call*/) {
   return errorAnswer(403, "no_raw_gcode", "commands of the machine are not taken from the network");
 }
 
+WebResponse refuseConnecting(SiteCall& /*call*/) {
+  return errorAnswer(
+      403, "not_from_here",
+      "the cell opens and closes the link to its machine itself; after a lost link give Clear");
+}
+
 WebResponse probeKeys(SiteCall& /*call*/) {
   WebResponse response;
   response.status = 204;
@@ -314,7 +400,11 @@ std::vector<SiteRoute> octoprintRoutes() {
       {{kGet, "/api/printer", WebRight::SeeState, Body::None}, getPrinter},
       {{kGet, "/api/job", WebRight::SeeState, Body::None}, getPrintJob},
       {{kPost, "/api/job", WebRight::Hold, Body::Small}, commandJob},
+      {{kGet, "/api/connection", WebRight::SeeState, Body::None}, getConnection},
+      {{kPost, "/api/connection", WebRight::None, Body::Small}, refuseConnecting},
       {{kGet, "/api/files", WebRight::SeeState, Body::None}, getFiles},
+      {{kGet, "/api/files/local", WebRight::SeeState, Body::None}, getFiles},
+      {{kGet, "/api/files/local/{name}", WebRight::SeeState, Body::None}, getQueuedFile},
       {{kPost, "/api/files/local", WebRight::Upload, Body::Upload}, addFile},
       {{kPost, "/api/files/local/{name}", WebRight::Upload, Body::Small}, selectFile},
       {{kPost, "/api/printer/command", WebRight::None, Body::Small}, refuseGcode},

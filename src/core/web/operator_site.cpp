@@ -237,7 +237,8 @@ std::optional<WebRefusal> OperatorSite::Inside::againstBody(const HttpHead& head
   const std::uint64_t most = parts.settings.most_upload_bytes + kMostSmallBody;
   if (length > most)
     return WebRefusal{413, "too_large",
-                      "the upload has " + text + " bytes; expected at most " + std::to_string(most)};
+                      "the upload has " + text + " bytes; expected a file of at most " +
+                          std::to_string(parts.settings.most_upload_bytes) + " (web.largest_upload_mb)"};
   return std::nullopt;
 }
 

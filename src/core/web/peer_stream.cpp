@@ -20,6 +20,12 @@
 #include "lamina/base/error.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kLongestEnd = 120.0;       // [s] of a client that still sends, as the slowest upload takes
+constexpr double kLongestEndSilence = 1.0;  // [s]
+
+}  // namespace
 
 TlsContext tlsContext(const std::string& certificate, const std::string& key) {
   TlsContext context(SSL_CTX_new(TLS_server_method()));
@@ -130,14 +136,14 @@ void PeerSocket::close() {
   if (ssl_) SSL_shutdown(ssl_.get());
   ERR_clear_error();
   ::shutdown(descriptor_, SHUT_WR);
-  // A reset would take the answer away that the other end has not read yet.
-  std::array<char, 4096> ignored{};
-  std::size_t taken = 0;
-  allow(1.0);
-  while (taken < (std::size_t{1} << 20)) {
+  // A reset would take the answer away that the other end has not read yet: many send all before they read.
+  std::array<char, 16384> ignored{};
+  const double until_s = clock_.now() + kLongestEnd;
+  allow(kLongestEndSilence);
+  while (clock_.now() < until_s) {
     const ssize_t bytes = ::recv(descriptor_, ignored.data(), ignored.size(), 0);
     if (bytes > 0)
-      taken += static_cast<std::size_t>(bytes);
+      allow(kLongestEndSilence);
     else if (bytes == 0 || (errno != EINTR && errno != EAGAIN) || !wait(POLLIN, left()))
       return;
   }

@@ -188,7 +188,7 @@ class Connection {
     if (buffer_.size() == 0 && !socket_.waitForBytes(patience.idle_s)) return false;
     Parser parser;
     parser.header_limit(kMostHeader);
-    parser.body_limit(place_.site.settings().most_upload_bytes + 2 * kMostSmallBody);
+    parser.body_limit(boost::none);  // the site refuses what is too large, by its size
     socket_.allow(patience.header_s);
     error_code error;
     http::read_header(reader_, buffer_, parser, error);
@@ -200,8 +200,6 @@ class Connection {
       return refuse(408, "too_slow", "the head of the request did not come whole in time");
     if (error == http::error::header_limit || error == http::error::buffer_overflow)
       return refuse(431, "too_large", "the head of the request has more than 16384 bytes");
-    if (error == http::error::body_limit)
-      return refuse(413, "too_large", "the body of the request is too large");
     if (error) return refuse(400, "bad_request", "the head of the request is not HTTP");
     place_.table.use(number_, ConnectionUse::Answering);
     const auto head = requestHead(parser.get(), peer_);
@@ -276,8 +274,7 @@ class Connection {
       const WebRequest request{head, "", file.finish()};
       return answer(place_.site.answer(admitted, request, timeNow()), is_kept);
     } catch (const UploadTooLarge& error) {
-      return refuse(error.status(), "too_large",
-                    error.status() == 413 ? "the file is too large" : "the disk is full");
+      return refuse(error.status(), "too_large", error.status() == 413 ? error.what() : "the disk is full");
     } catch (const InvalidInput& error) {
       place_.site.noteRefusal(peer_, "an upload", error.what(), timeNow());
       return answer(plainError(400, "bad_form", "the form cannot be read, or holds no file"), false);

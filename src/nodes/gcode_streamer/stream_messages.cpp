@@ -79,6 +79,7 @@ lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::
     message.bed_temperature = status.temperatures->bed_c.value_or(kUnknown);
   }
   message.status = toMessage(status.failure);
+  if (message.status.message.empty()) message.status.message = status.wait;
   return message;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page_settings.hpp"
 
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/loopback.hpp"
 #include "lamina/base/text.hpp"
@@ -21,6 +24,13 @@ std::optional<TlsFiles> tlsFiles(const OperatorPageSettings& settings, const std
     makeTlsIdentity(files, hosts.empty() ? settings.bind : hosts.front());
   }
   return files;
+}
+
+/// The host by the number that its system was given when it was installed, and the page's folder on it.
+std::string identityOf(const std::string& folder) {
+  constexpr const char* kNumberOfHost = "/etc/machine-id";
+  const std::string host = std::filesystem::exists(kNumberOfHost) ? readFile(kNumberOfHost) : "";
+  return "lamina operator_page\n" + host + std::filesystem::absolute(folder).string();
 }
 
 }  // namespace
@@ -74,6 +84,7 @@ SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& fol
   site.journal_folder = folder;
   site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
   site.upload_print = settings.upload_print;
+  site.identity = identityOf(folder);
   if (!isLoopbackHost(settings.bind))
     site.notices.push_back(settings.is_encrypted
                                ? "This page is reached from other hosts."

@@ -131,6 +131,7 @@ RosDesk::RosDesk(ros::NodeHandle node, double patience_s)
                     node.subscribe(names::kAlarms, 10, &RosDesk::onAlarms, this),
                     node.subscribe(names::kJobQueue, 10, &RosDesk::onQueue, this),
                     node.subscribe(names::kMachineState, 10, &RosDesk::onMachine, this),
+                    node.subscribe(names::kHeaterState, 10, &RosDesk::onHeaters, this),
                     node.subscribe(names::kLoopState, 10, &RosDesk::onLoop, this),
                     node.subscribe(names::kLayerHeight, 100, &RosDesk::onLayer, this),
                     node.subscribe(names::kHeightDeviation, 1, &RosDesk::onDeviation, this)}) {}
@@ -193,6 +194,12 @@ void RosDesk::onMachine(const lamina_msgs::MachineStateConstPtr& machine) {
   seen_.machine.position_m = {machine->position.x, machine->position.y, machine->position.z};
   seen_.machine.failure = machine->status.message;
   seen_.startup = shown(machine->startup);
+}
+
+void RosDesk::onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.machine.nozzle_target_degc = heaters->nozzle_target;
+  seen_.machine.bed_target_degc = heaters->bed_target;
 }
 
 void RosDesk::onLoop(const lamina_msgs::LoopStateConstPtr& loop) {

@@ -45,6 +45,7 @@ class RosDesk final : public CellDesk {
   void onAlarms(const lamina_msgs::CellAlarmsConstPtr& alarms);
   void onQueue(const lamina_msgs::JobQueueConstPtr& queue);
   void onMachine(const lamina_msgs::MachineStateConstPtr& machine);
+  void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
   void onLoop(const lamina_msgs::LoopStateConstPtr& loop);
   void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
   void onDeviation(const sensor_msgs::ImageConstPtr& image);

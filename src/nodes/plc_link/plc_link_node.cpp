@@ -42,11 +42,11 @@ PlcLinkNode::PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settin
       broken_frames_(kBrokenFramesAMinute, kMinute),
       refusals_(kRefusalsAMinute, kMinute) {
   subscribers_ = {node_.subscribe(names::kPackmlStatus, 100, &PlcLinkNode::onStatus, this),
-                  node_.subscribe(names::kProcessState, 1, &PlcLinkNode::onProcess, this)};
+                  node_.subscribe(names::kProcessState, 1, &PlcLinkNode::onProcess, this),
+                  node_.subscribe(names::kHeaterState, 100, &PlcLinkNode::onHeaters, this)};
   view(names::kAlarms, &UnitView::alarms);
   view(names::kJobQueue, &UnitView::queue);
   view(names::kMachineState, &UnitView::machine);
-  view(names::kHeaterState, &UnitView::heaters);
   view(names::kLoopState, &UnitView::loop);
   view(names::kLayerHeight, &UnitView::layer);
   desk_ = std::make_unique<OrderDesk>(
@@ -95,6 +95,12 @@ void PlcLinkNode::onProcess(const lamina_msgs::ProcessStateConstPtr& process) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_.process = *process;
   view_.process_heard_s = clock_.now();
+}
+
+void PlcLinkNode::onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.heaters = *heaters;
+  view_.heaters_heard_s = clock_.now();
 }
 
 void PlcLinkNode::onTick() {

@@ -33,6 +33,7 @@ class PlcLinkNode {
   void view(const char* topic, Message UnitView::*place);
   void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
   void onProcess(const lamina_msgs::ProcessStateConstPtr& process);
+  void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
   void onTick();
 
   std::string answer(int connection, const ModbusRequest& request);

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <string>
 
+#include "lamina/journal/cell_journal.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr double kMillimetres = 1e3;            // of a metre
 constexpr double kCubicMillimetres = 1e9;       // of a cubic metre
 constexpr double kLongestProcessSilence = 1.0;  // [s]
+constexpr double kLongestHeaterSilence = 2.0;   // [s]
 
 UnitState stateOf(const UnitView& view) { return unitState(view.unit.state).value_or(UnitState::Aborted); }
 
@@ -50,7 +53,8 @@ bool isStartedUp(const lamina_msgs::MachineState& machine) {
          });
 }
 
-/// Temperatures and targets are not a number where the firmware says none.
+/// By what was reported last, since a machine may go on heating when nothing runs on it. Temperatures and
+/// targets are not a number where the firmware says none.
 bool isHeating(const lamina_msgs::HeaterState& heaters) {
   return heaters.nozzle_target > 0.0 || heaters.bed_target > 0.0;
 }
@@ -87,6 +91,17 @@ std::uint32_t seconds(double time_s) {
   return static_cast<std::uint32_t>(std::clamp(std::floor(time_s), 0.0, 4294967294.0));
 }
 
+/// The first job that is allowed to start. The PLC's Start begins none while one that was cut off waits to be
+/// decided on.
+std::uint32_t nextJob(const UnitView& view) {
+  if (view.unit.resume_waits != 0) return 0;
+  const auto& jobs = view.queue.jobs;
+  const auto next = std::find_if(jobs.begin(), jobs.end(), [](const lamina_msgs::CellJob& job) {
+    return job.state == static_cast<std::uint8_t>(JobState::AllowedToStart);
+  });
+  return next == jobs.end() ? 0 : next->id;
+}
+
 JobStatus jobOf(const UnitView& view) {
   JobStatus job;
   job.id = view.unit.job.id;
@@ -94,6 +109,7 @@ JobStatus jobOf(const UnitView& view) {
   const auto waits = [](const lamina_msgs::CellJob& queued) { return queued.state <= 2; };
   job.queued = static_cast<std::uint16_t>(
       std::min<std::ptrdiff_t>(65535, std::count_if(view.queue.jobs.begin(), view.queue.jobs.end(), waits)));
+  job.next = nextJob(view);
   job.layer = view.unit.layer;
   job.layers = view.unit.layers;
   job.fraction = static_cast<float>(view.unit.fraction);
@@ -106,10 +122,17 @@ JobStatus jobOf(const UnitView& view) {
 
 float known(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0F; }
 
-ProcessFigures processOf(const UnitView& view, bool is_process_heard) {
+/// Whether what came at a time is of now.
+bool isRecent(double heard_s, double now_s, double longest_s) {
+  return heard_s > 0.0 && now_s - heard_s <= longest_s;
+}
+
+ProcessFigures processOf(const UnitView& view, bool is_process_heard, double now_s) {
   ProcessFigures figures;
-  figures.nozzle_c = known(view.heaters.nozzle);
-  figures.bed_c = known(view.heaters.bed);
+  if (isRecent(view.heaters_heard_s, now_s, kLongestHeaterSilence)) {
+    figures.nozzle_c = known(view.heaters.nozzle);
+    figures.bed_c = known(view.heaters.bed);
+  }
   if (is_process_heard) figures.flow_mm3_s = known(view.process.flow * kCubicMillimetres);
   figures.mean_error_mm = known(view.layer.mean_error * kMillimetres);
   figures.rmse_mm = known(view.layer.rms_error * kMillimetres);
@@ -121,8 +144,7 @@ ProcessFigures processOf(const UnitView& view, bool is_process_heard) {
 
 PlcStatus plcStatus(const UnitView& view, double now_s) {
   PlcStatus status;
-  const bool is_process_heard =
-      view.process_heard_s > 0.0 && now_s - view.process_heard_s <= kLongestProcessSilence;
+  const bool is_process_heard = isRecent(view.process_heard_s, now_s, kLongestProcessSilence);
   const double age_s = std::max(0.0, now_s - view.unit_heard_s);
   status.flags = flagsOf(view, is_process_heard);
   status.mode = status.mode_requested = view.unit.mode;
@@ -135,7 +157,7 @@ PlcStatus plcStatus(const UnitView& view, double now_s) {
                  2147483647.0));
   status.alarms = alarmsOf(view);
   status.job = jobOf(view);
-  status.process = processOf(view, is_process_heard);
+  status.process = processOf(view, is_process_heard, now_s);
   status.counters = counted({}, view.unit.mode, status.state, view.unit.since_reset + age_s);
   status.counters.parts = view.unit.parts;
   status.counters.defective = view.unit.defective;

@@ -19,6 +19,7 @@ struct UnitView {
   lamina_msgs::LayerHeight layer;
   double unit_heard_s = 0.0;     ///< when the unit's status came
   double process_heard_s = 0.0;  ///< and what the process does
+  double heaters_heard_s = 0.0;  ///< and the temperatures, ten times a second as long as a job or a step runs
 };
 
 /// The same for the registers. What nobody says is 0.

@@ -63,6 +63,16 @@ TEST(StreamMessages, SayThatWhatIsNotReportedIsNotKnown) {
   EXPECT_DOUBLE_EQ(heard.position.x, 0.02) << "m";
 }
 
+TEST(StreamMessages, SayForWhomAMachineWaitsUnlessItsJobHasFailed) {
+  StreamStatus status;
+  status.state = PackmlState::Held;
+  status.wait = "the machine waits for a person";
+  EXPECT_EQ(toMachineState(status, "a").status.message, status.wait);
+  EXPECT_EQ(toMachineState(status, "a").status.code, lamina_msgs::Status::OK);
+  status.failure = {ErrorCode::Cancelled, "aborted on request"};
+  EXPECT_EQ(toMachineState(status, "a").status.message, "aborted on request");
+}
+
 TEST(StreamMessages, CountNoFurtherThanMessagesDo) {
   StreamStatus status;
   status.lines_total = (std::uint64_t{1} << 32) + 5;

@@ -30,7 +30,7 @@ UnitView printing() {
   view.unit.in_mode = 100.0;
   view.unit.since_reset = 1000.0;
   view.unit.parts = 3;
-  view.unit_heard_s = 50.0;
+  view.unit_heard_s = view.heaters_heard_s = 50.0;
   view.machine.state = lamina_msgs::MachineState::EXECUTE;
   view.machine.state_name = "Execute";
   view.heaters.nozzle = 210.5;
@@ -92,6 +92,30 @@ TEST(UnitView, ShowsWhatStopsAndWaits) {
     EXPECT_TRUE(hasFlag(status, flag)) << static_cast<int>(flag);
   EXPECT_FALSE(hasFlag(status, StatusFlag::Motion));
   EXPECT_FALSE(hasFlag(status, StatusFlag::StartupDone));
+}
+
+TEST(UnitView, NamesTheJobThatStartWouldBegin) {
+  UnitView view = printing();
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 0U) << "the queue is empty";
+  view.queue.jobs.resize(4);
+  for (std::size_t i = 0; i < view.queue.jobs.size(); ++i)
+    view.queue.jobs[i].id = static_cast<std::uint32_t>(70 + i);
+  view.queue.jobs[0].state = 3;  // it runs
+  view.queue.jobs[1].state = 1;  // not released yet
+  view.queue.jobs[2].state = view.queue.jobs[3].state = 2;
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 72U);
+  view.unit.resume_waits = 1;
+  EXPECT_EQ(plcStatus(view, 50.0).job.next, 0U) << "what was cut off is decided on first, and not by the PLC";
+}
+
+// The streamer says nothing of the heaters once its job has ended: they cool, or are heated by somebody else.
+TEST(UnitView, ShowsNoTemperaturesOfAJobThatHasEnded) {
+  const UnitView view = printing();
+  EXPECT_FLOAT_EQ(plcStatus(view, 51.9).process.nozzle_c, 210.5F);
+  const PlcStatus later = plcStatus(view, 52.1);
+  EXPECT_EQ(later.process.nozzle_c, 0.0F);
+  EXPECT_TRUE(hasFlag(later, StatusFlag::HeatersOn)) << "nobody has said that they were switched off";
+  EXPECT_EQ(plcStatus(UnitView(), 1.0).process.nozzle_c, 0.0F);
 }
 
 TEST(UnitView, ShowsProcessAndLoopWhileTheySpeak) {

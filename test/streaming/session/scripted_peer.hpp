@@ -28,10 +28,11 @@ class ScriptedPeer : public testing::Test {
   }
 
   /// Begins a job and answers until its first lines are under way.
-  void begin(Streamer& streamer) {
+  /// @param more  lines of the machine's answer about itself, in front of the others
+  void begin(Streamer& streamer, const std::string& more = "") {
     streamer.start(0.0);
     EXPECT_EQ(streamer.takeOutput(), "M115\n");
-    streamer.receive(kMarlin, 0.0);
+    streamer.receive(more + kMarlin, 0.0);
     EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
     streamer.receive("ok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n", 0.0);
     EXPECT_EQ(streamer.status().state, PackmlState::Execute);

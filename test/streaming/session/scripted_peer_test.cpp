@@ -381,15 +381,6 @@ TEST_F(ScriptedPeer, CountsNoCommandOfItsOwnThatTheMachineDoesNotKnow) {
   EXPECT_EQ(streamer.status().commands_not_done, 0U);
 }
 
-TEST_F(ScriptedPeer, SaysThatTheMachineWaitsForAPerson) {
-  Streamer streamer(program_, settings());
-  begin(streamer);
-  streamer.receive("echo:busy: processing\n", 0.1);
-  EXPECT_EQ(streamer.status().message, "");
-  streamer.receive("echo:busy: paused for user\n", 2.1);
-  EXPECT_EQ(streamer.status().message, "the machine waits for a person: \"echo:busy: paused for user\"");
-}
-
 TEST_F(ScriptedPeer, PausesAndResumesWhenTheMachineAsksForIt) {
   Streamer streamer(program_, settings());
   begin(streamer);

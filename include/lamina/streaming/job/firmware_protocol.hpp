@@ -37,6 +37,7 @@ struct StreamOrder {
   std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins at its first line
   int answers_due = 0;  ///< number of answers that may still arrive, as a question was sent repeatedly
   std::shared_ptr<ProgramRevision> revision = nullptr;  ///< null if the lines are sent unchanged
+  bool hears_at_once = false;  ///< whether the machine has said that it hears `M108` while it waits
 };
 /// Interface of a protocol, which a family of firmware speaks; `Streamer` uses it. Implementations have no
 /// mutable state, since several threads call them at once.

@@ -51,7 +51,8 @@ struct StreamStatus {
   /// Warning from before the first line: in what this machine may run the program differently from what was
   /// intended; empty if there is none.
   std::string warning;
-  Failure failure;  ///< reason why the job was aborted
+  std::string wait;  ///< person for whom the machine waits, and what ends that; empty if it waits for none
+  Failure failure;   ///< reason why the job was aborted
 };
 
 /// Called with each line that the machine sends, on arrival.

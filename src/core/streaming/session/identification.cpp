@@ -10,6 +10,7 @@
 
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "streaming/firmware/marlin/person_wait.hpp"
 
 namespace lamina {
 namespace {
@@ -76,6 +77,7 @@ void Identification::onReply(const FirmwareReply& reply, double now) {
     return;
   }
   if (!reply.firmware_name.empty()) firmware_name_ = reply.firmware_name;
+  hears_at_once_ = hears_at_once_ || saysThatItHearsAtOnce(reply);
   if (isOfGrbl(reply.text)) {
     firmware_name_ = "grbl";
     choose();
@@ -94,7 +96,7 @@ void Identification::choose() {
   const std::vector<std::string> protocols = protocolsSpokenBy(firmware_name_);
   record_.status.firmware_name = firmware_name_;
   if (protocols.size() == 1) {
-    found_ = FoundFirmware{protocols.front(), firmware_name_};
+    found_ = FoundFirmware{protocols.front(), firmware_name_, hears_at_once_};
   } else if (protocols.empty()) {
     abort({ErrorCode::Rejected, "the machine's firmware is \"" + firmware_name_ +
                                     "\", which nothing here speaks to; expected one of " +

@@ -17,8 +17,9 @@ namespace lamina {
 
 /// The firmware that answers at a port.
 struct FoundFirmware {
-  std::string protocol;       ///< name in `firmwareProtocols`
-  std::string firmware_name;  ///< as the firmware states it; empty if it states none
+  std::string protocol;        ///< name in `firmwareProtocols`
+  std::string firmware_name;   ///< as the firmware states it; empty if it states none
+  bool hears_at_once = false;  ///< whether it states that it hears `M108` while it waits
 };
 
 /// The protocols that firmware with this name speaks. Firmware with a manufacturer's name, or without a name,
@@ -58,6 +59,7 @@ class Identification {
   AnswerTimer timer_;
   std::optional<FoundFirmware> found_;
   std::string firmware_name_;
+  bool hears_at_once_ = false;
   ReplyLines replies_;
   std::string output_;
   int questions_ = 0;

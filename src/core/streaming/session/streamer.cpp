@@ -50,6 +50,7 @@ void Streamer::adopt(double now) {
   if (!unrevised.empty()) return identification_->abort({ErrorCode::InvalidConfig, unrevised});
   order_.settings.firmware = identification_->found()->protocol;
   order_.firmware_name = identification_->found()->firmware_name;
+  order_.hears_at_once = identification_->found()->hears_at_once;
   order_.answers_due = identification_->answersDue();
   job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
   job_->start(now);

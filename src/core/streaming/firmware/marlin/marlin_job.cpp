@@ -32,7 +32,8 @@ MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> fi
       resend_(settings_),
       timer_(order.settings.probe_after_s),
       firmware_name_(std::move(order.firmware_name)),
-      answers_due_(order.answers_due) {
+      answers_due_(order.answers_due),
+      person_(order.hears_at_once) {
   record_.status.lines_total = order.program.lines();
   reports_.begin(reportsOn(*firmware_, settings_));
 }
@@ -317,6 +318,7 @@ bool MarlinJob::pause(double now) {
 bool MarlinJob::resume(double now) {
   if (layer_pause_.takeBack(record_)) return true;
   if (!record_.isPaused()) return false;
+  releaseFromWait();
   layer_wait_.end();  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;
   record_.goOn();
@@ -387,6 +389,7 @@ void MarlinJob::receive(std::string_view bytes, double now) {
 void MarlinJob::onReply(const FirmwareReply& reply, double now) {
   if (heard_) heard_(reply);
   if (phase_ == Phase::Idle) return;
+  followPerson(reply, now);
   if (!reply.firmware_name.empty()) onIdentity(reply, now);
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
   if (reply.position) record_.status.position = reply.position;
@@ -440,8 +443,6 @@ void MarlinJob::onKind(const FirmwareReply& reply, double now) {
       onEnded(reply, now);
       break;
     case ReplyKind::Busy:
-      if (reply.text.find("paused for") != std::string::npos)
-        record_.status.message = "the machine waits for a person: \"" + reply.text + "\"";
       account_.starvation().busy(now);
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
       break;

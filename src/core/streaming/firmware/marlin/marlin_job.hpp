@@ -11,6 +11,7 @@
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
 #include "streaming/firmware/marlin/line_enquiry.hpp"
 #include "streaming/firmware/marlin/marlin_resend.hpp"
+#include "streaming/firmware/marlin/person_wait.hpp"
 #include "streaming/firmware/marlin/report_requests.hpp"
 #include "streaming/firmware/marlin/unnumbered_commands.hpp"
 #include "streaming/job/answer_timer.hpp"
@@ -71,6 +72,29 @@ class MarlinJob final : public StreamJob {
   void onKind(const FirmwareReply& reply, double now);
   void onIdentity(const FirmwareReply& reply, double now);
   void onEnded(const FirmwareReply& reply, double now);
+  /// The machine holds the job itself while it waits for a person, and goes on with it afterwards.
+  void followPerson(const FirmwareReply& reply, double now) {
+    const PersonWait::News news = person_.hear(reply);
+    if (news == PersonWait::News::None || isStopping()) return;
+    if (news == PersonWait::News::Ended) {
+      record_.status.wait.clear();
+      if (is_paused_by_machine_) resume(now);
+      return;
+    }
+    record_.status.message = record_.status.wait = person_.advice(reply.text);
+    if (record_.status.state == PackmlState::Execute && pause(now)) is_paused_by_machine_ = true;
+    // The lines under way wait behind the one that waits.
+    if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
+  }
+  /// Makes a machine go on that waits for a person. The answer comes behind those to the lines under way.
+  void releaseFromWait() {
+    record_.status.wait.clear();
+    if (!person_.release()) return;
+    for (const std::string& command : firmware_->interruption()) {
+      output_ += command + "\n";
+      resend_.sent({feed_.next() - 1, command.size() + 1, false, false, false});
+    }
+  }
   void onOk(const FirmwareReply& reply, double now);
   void acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now);
   void onResend(const FirmwareReply& reply, double now);
@@ -142,6 +166,7 @@ class MarlinJob final : public StreamJob {
   bool has_answered_ = false;
   bool has_begun_ = false;  ///< whether a line of the program may have been sent
   bool is_paused_by_machine_ = false;
+  PersonWait person_;
   UsedOutputs outputs_;
   UnnumberedCommands unnumbered_;
   LayerPause layer_pause_;
