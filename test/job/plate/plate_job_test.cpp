@@ -223,6 +223,29 @@ TEST_F(PlateJobTest, MarksPartsThatAreReadBack) {
   }
 }
 
+/// Each part lies on the bed by itself, also after others.
+TEST_F(PlateJobTest, HeatsTheFirstLayerOfEachPartOneAfterTheOther) {
+  const std::string file = box("box", {10, 10, 1});
+  for (const double x : {40, 120, 200}) add(file, Point2(x, 100));
+  job_.settings.program.nozzle_temperature_c = 210;
+  job_.settings.program.bed_temperature_c = 60;
+  job_.settings.planning.first_layer.nozzle_temperature_c = 215;
+  job_.settings.planning.first_layer.bed_temperature_c = 65;
+  const auto heats = [this](PlateOrder order) {
+    job_.settings.plate.order = order;
+    std::string codes;
+    for (const ToolpathLayer& layer : run().sliced.toolpath.layers)
+      for (const Path& path : layer.paths)
+        for (const PathEvent& placed : path.events)
+          if (const auto* const code = std::get_if<MachineCode>(&placed.event)) codes += code->text;
+    return codes;
+  };
+  const std::string rest = "M104 S210\nM140 S60\n";
+  const std::string first = "M104 S215\nM140 S65\n";
+  EXPECT_EQ(heats(PlateOrder::ByLayer), rest);
+  EXPECT_EQ(heats(PlateOrder::ByPart), rest + first + rest + first + rest);
+}
+
 TEST_F(PlateJobTest, LabelsPartsForFirmware) {
   add(box("my part", {10, 10, 1})).copies = 2;
   job_.settings.fan.is_used = false;
