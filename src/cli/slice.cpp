@@ -113,9 +113,13 @@ void printBridging(const Bridging& bridging) {
     std::printf("bridges     %zu, the longest free span is %.1f mm\n", bridging.bridges, bridging.longest_mm);
   if (bridging.too_long > 0)
     std::printf("too long    %zu of them span more than bridges.longest_mm\n", bridging.too_long);
-  if (bridging.unheld > 0)
-    std::printf("unheld      %zu pieces, %.1f mm2, lie over nothing and are held on one side at most\n",
-                bridging.unheld, bridging.unheld_mm2);
+}
+
+void printUnheld(const Bridging& bridging, const SupportTotals& supports) {
+  if (bridging.unheld == 0) return;
+  const char* const below = supports.support_mm3 > 0.0 ? "supports at best" : "nothing";
+  std::printf("unheld      %zu pieces, %.1f mm2, lie over %s and are held on one side at most\n",
+              bridging.unheld, bridging.unheld_mm2, below);
 }
 
 void printSupports(const SupportTotals& supports) {
@@ -257,6 +261,7 @@ void printText(const SliceSummary& s, const std::string& output) {
                 s.anchored.moved, s.anchored.in_air);
   printLean(s.lean);
   printBridging(s.bridging);
+  printUnheld(s.bridging, s.supports);
   printSupports(s.supports);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);

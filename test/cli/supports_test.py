@@ -66,6 +66,11 @@ class Supports(unittest.TestCase):
         self.assertIn(";TYPE:support\n", program)
         self.assertIn(";TYPE:support_interface\n", program)
 
+    def test_what_lies_over_supports_does_not_lie_over_nothing(self):
+        for settings, below in ((HELD, "supports at best"), ((), "nothing")):
+            done = subprocess.run([LAMINA, "slice", self.part, *LEVEL, *settings, "--set", "bridges.use=true"], capture_output=True, text=True, timeout=60)
+            self.assertIn(f"lie over {below} and are held on one side at most", done.stdout)
+
     def test_nothing_hangs_on_walls_that_are_held_up(self):
         # What lies a gap below counts as below.
         reach = ["--set", "overhang.reach=1.5", "--worst", "1"]

@@ -21,12 +21,28 @@ double startingAt(const std::string& name, double first_c, double program_c, con
   return first_c;
 }
 
+struct HeatChange {
+  double from_c;
+  double to_c;
+};
+
 /// Nothing where the temperature stays, or the program leaves the heater alone.
-std::string heatLine(const char* word, double first_c, double program_c) {
-  if (first_c == 0.0 || program_c == 0.0 || first_c == program_c) return "";
+std::string heatLine(const char* word, const HeatChange& change) {
+  if (change.from_c == 0.0 || change.to_c == 0.0 || change.from_c == change.to_c) return "";
   char line[64];
-  std::snprintf(line, sizeof line, "%s S%g\n", word, program_c);
+  std::snprintf(line, sizeof line, "%s S%g\n", word, change.to_c);
   return line;
+}
+
+std::string heatCode(const HeatChange& nozzle, const HeatChange& bed) {
+  return heatLine("M104", nozzle) + heatLine("M140", bed);
+}
+
+void precede(ToolpathLayer& layer, const std::string& code) {
+  PathEvent change;
+  change.event.emplace<MachineCode>().text = code;
+  std::vector<PathEvent>& events = layer.paths.front().events;
+  events.insert(events.begin(), std::move(change));
 }
 
 }  // namespace
@@ -40,19 +56,22 @@ ProgramSettings startedFor(const FirstLayerSettings& first_layer, ProgramSetting
 }
 
 void addHeatAfterFirstLayer(Toolpath& toolpath, const FirstLayerSettings& first_layer,
-                            const ProgramSettings& settings) {
-  MachineCode code;
-  code.text = heatLine("M104", first_layer.nozzle_temperature_c, settings.nozzle_temperature_c) +
-              heatLine("M140", first_layer.bed_temperature_c, settings.bed_temperature_c);
-  if (code.text.empty()) return;
-  bool is_first = true;
+                            const ProgramSettings& settings, PlateOrder order) {
+  const double nozzle_c = first_layer.nozzle_temperature_c;
+  const double bed_c = first_layer.bed_temperature_c;
+  const std::string of_rest =
+      heatCode({nozzle_c, settings.nozzle_temperature_c}, {bed_c, settings.bed_temperature_c});
+  const std::string of_first =
+      heatCode({settings.nozzle_temperature_c, nozzle_c}, {settings.bed_temperature_c, bed_c});
+  if (of_rest.empty()) return;
+  const ToolpathLayer* below = nullptr;
+  bool is_at_first = true;
   for (ToolpathLayer& layer : toolpath.layers) {
-    if (layer.paths.empty() || std::exchange(is_first, false)) continue;
-    PathEvent change;
-    change.event.emplace<MachineCode>(std::move(code));
-    std::vector<PathEvent>& events = layer.paths.front().events;
-    events.insert(events.begin(), std::move(change));
-    return;
+    if (layer.paths.empty()) continue;
+    const bool begins_part = below == nullptr || (order == PlateOrder::ByPart && layer.z_mm < below->z_mm);
+    if (begins_part != is_at_first) precede(layer, begins_part ? of_first : of_rest);
+    is_at_first = begins_part;
+    below = &layer;
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "lamina/job/plate/plate_settings.hpp"
 #include "lamina/planning/compensation/compensation_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -14,8 +15,9 @@ namespace lamina {
 ProgramSettings startedFor(const FirstLayerSettings& first_layer, ProgramSettings settings);
 
 /// Adds commands for the program's temperatures, without a wait, before the second layer that has paths, if
-/// those of the first layer differ.
+/// those of the first layer differ. With parts one after the other, whose layers begin at the bed again, the
+/// first layer of each has its temperatures.
 void addHeatAfterFirstLayer(Toolpath& toolpath, const FirstLayerSettings& first_layer,
-                            const ProgramSettings& settings);
+                            const ProgramSettings& settings, PlateOrder order);
 
 }  // namespace lamina

@@ -209,7 +209,8 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
   stateLevels(sliced.toolpath, job.settings.runs.levels);
-  addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
+  addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program,
+                         job.settings.plate.order);
   hookPart(sliced, job.settings, space);
   if (job.settings.program.states_progress && isGcodeFile(job.output))
     addProgressMarks(sliced.toolpath, job.settings.program.dialect, job.settings.motion);

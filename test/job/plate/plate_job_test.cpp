@@ -79,6 +79,14 @@ std::map<std::string, double> volumesByPart(const Toolpath& toolpath) {
   return volumes;
 }
 
+/// How far a motion rises above its layer at most [mm].
+double greatestRise(const ToolpathLayer& layer) {
+  double rise_mm = 0.0;
+  for (const Path& path : layer.paths)
+    for (const Point3& point : path.points) rise_mm = std::max(rise_mm, point.z() - layer.z_mm);
+  return rise_mm;
+}
+
 double depositedIn(const Toolpath& toolpath) { return totals(toolpath).deposited_mm3; }
 
 TEST_F(PlateJobTest, TurnsContoursExactly) {
@@ -223,6 +231,29 @@ TEST_F(PlateJobTest, MarksPartsThatAreReadBack) {
   }
 }
 
+/// Each part lies on the bed by itself, also after others.
+TEST_F(PlateJobTest, HeatsTheFirstLayerOfEachPartOneAfterTheOther) {
+  const std::string file = box("box", {10, 10, 1});
+  for (const double x : {40, 120, 200}) add(file, Point2(x, 100));
+  job_.settings.program.nozzle_temperature_c = 210;
+  job_.settings.program.bed_temperature_c = 60;
+  job_.settings.planning.first_layer.nozzle_temperature_c = 215;
+  job_.settings.planning.first_layer.bed_temperature_c = 65;
+  const auto heats = [this](PlateOrder order) {
+    job_.settings.plate.order = order;
+    std::string codes;
+    for (const ToolpathLayer& layer : run().sliced.toolpath.layers)
+      for (const Path& path : layer.paths)
+        for (const PathEvent& placed : path.events)
+          if (const auto* const code = std::get_if<MachineCode>(&placed.event)) codes += code->text;
+    return codes;
+  };
+  const std::string rest = "M104 S210\nM140 S60\n";
+  const std::string first = "M104 S215\nM140 S65\n";
+  EXPECT_EQ(heats(PlateOrder::ByLayer), rest);
+  EXPECT_EQ(heats(PlateOrder::ByPart), rest + first + rest + first + rest);
+}
+
 TEST_F(PlateJobTest, LabelsPartsForFirmware) {
   add(box("my part", {10, 10, 1})).copies = 2;
   job_.settings.fan.is_used = false;
@@ -246,6 +277,7 @@ TEST_F(PlateJobTest, LabelsPartsForFirmware) {
 }
 
 TEST_F(PlateJobTest, PrintsPartAfterPartTheLowestFirst) {
+  job_.settings.cooling.least_layer_time_s = 0.0;  // waits rise as well
   job_.settings.plate.order = PlateOrder::ByPart;
   add(box("high", {10, 10, 4}), Point2(60, 60));
   add(box("low", {10, 10, 2}), Point2(120, 60));
@@ -257,6 +289,9 @@ TEST_F(PlateJobTest, PrintsPartAfterPartTheLowestFirst) {
   ASSERT_EQ(way.role, PathRole::Travel);
   EXPECT_TRUE(way.process.is_retracted);
   for (std::size_t i = 1; i + 1 < way.points.size(); ++i) EXPECT_GE(way.points[i].z(), 2.0);
+  // Over its own place the nozzle needs not rise above others.
+  for (std::size_t k = 11; k < toolpath.layers.size(); ++k)
+    EXPECT_LE(greatestRise(toolpath.layers[k]), job_.settings.planning.travel.hop_mm + 1e-9) << k;
 }
 
 TEST_F(PlateJobTest, RefusesAnOrderInWhichTheHeadWouldTouchAFinishedPart) {
@@ -454,6 +489,7 @@ TEST_F(PlateJobTest, PartsFollowEachOtherAlongABelt) {
 }
 
 TEST_F(PlateJobTest, PartsStandBesideEachOtherInInclinedLayers) {
+  job_.settings.cooling.least_layer_time_s = 0.0;  // waits rise as well
   job_.settings.machine.name = "gantry_45";
   job_.settings.slicing.plane.angle_deg = 45.0;
   add(box("cube", {20, 20, 20}), Point2(70, 60));
@@ -473,9 +509,10 @@ TEST_F(PlateJobTest, PartsStandBesideEachOtherInInclinedLayers) {
   EXPECT_TRUE(hasPlaneLayers(toolpath));
   EXPECT_NEAR(inclinationDeg(toolpath), 45.0, 1e-9);
   double level_mm = -1e9;
-  for (const ToolpathLayer& layer : toolpath.layers) {
+  for (const ToolpathLayer& layer : inLayerFrame(toolpath).layers) {
     EXPECT_GE(layer.z_mm, level_mm) << "nothing is deposited below what is finished";
     level_mm = layer.z_mm;
+    EXPECT_LE(greatestRise(layer), job_.settings.planning.travel.hop_mm + 1e-6) << level_mm;
   }
   const Box3 of_both = depositionBox(toolpath);
   EXPECT_GT(of_both.low.x(), 60.0);

@@ -101,6 +101,24 @@ TEST(ToolHeating, StandsByAndHeatsAhead) {
   EXPECT_EQ(codeBefore(toolpath, 3, 0), "M109 T1 S220\n");
 }
 
+/// A nozzle that heats up amid the part melts its way into it.
+TEST(ToolHeating, IsWaitedForOnThePrimeTower) {
+  Toolpath toolpath = inTurn();
+  for (ToolpathLayer& layer : toolpath.layers) {
+    layer.paths[0].role = PathRole::Travel;
+    layer.paths[0].bead = Bead{};
+    layer.paths[1].role = PathRole::Prime;
+  }
+  std::vector<Tool> tools(2);
+  tools[1].temperature_c = 220.0;
+  tools[1].standby_c = 150.0;
+  addToolHeating(toolpath, tools, 210.0, {});
+  const std::vector<PathEvent>& events = toolpath.layers[1].paths[0].events;
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(codeBefore(toolpath, 1, 0), "M109 T1 S220\n");
+  EXPECT_EQ(events[0].motion, 1U) << "behind its only motion";
+}
+
 TEST(ToolHeating, KeepsAToolHotThatIsTakenAgainSoon) {
   Toolpath toolpath = inTurn();
   std::vector<Tool> tools(2);

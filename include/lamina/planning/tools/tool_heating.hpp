@@ -10,9 +10,10 @@ namespace lamina {
 
 /// Adds code that sets the temperatures of tools. A tool that is put away goes to its `standby_c`, if it has
 /// one. It is heated again `heat_s` before its next use by the time estimate, at the start of the last path
-/// that leaves that time, and the machine waits for its temperature when it changes to that tool. A tool that
-/// is used again within `heat_s` stays hot. A tool without a temperature and a standby temperature of its own
-/// gets no code, nor does the first use of the first tool, which start code heats.
+/// that leaves that time, and the machine waits for its temperature when it changes to that tool, on
+/// the prime tower if that is where it goes. A tool that is used again within `heat_s` stays hot. A tool
+/// without a temperature and a standby temperature of its own gets no code, nor does the first use of the
+/// first tool, which start code heats.
 /// @param nozzle_temperature_c  for tools without a temperature of their own
 void addToolHeating(Toolpath& toolpath, const std::vector<Tool>& tools, double nozzle_temperature_c,
                     const MotionLimits& limits);

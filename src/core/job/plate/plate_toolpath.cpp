@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -20,6 +21,7 @@ namespace lamina {
 namespace {
 
 constexpr double kSameLayer = 1e-6;  // mm
+constexpr double kBelowAll = -std::numeric_limits<double>::infinity();
 
 /// A layer of one of the parts, or those of its paths that one tool runs.
 struct LayerOfPart {
@@ -88,10 +90,12 @@ class PlateBuilder {
   void add(const LayerOfPart& added) {
     std::vector<Path> paths = pathsOn(added, parts_[added.part].at);
     if (paths.empty()) return;
+    // Within its own box a part goes on below finished ones: the head is clear of them there.
+    const double clear_mm = part_ == added.part ? kBelowAll : highest_mm_;
     mark(added.part, paths.front());
     std::vector<Path>& here = plate_.layers.back().paths;
     if (last_) {
-      std::optional<Path> travel = travelTo(paths.front().firstPoint());
+      std::optional<Path> travel = travelTo(paths.front().firstPoint(), clear_mm);
       if (travel) here.push_back(withTool(std::move(*travel), last(), paths.front()));
     }
     std::move(paths.begin(), paths.end(), std::back_inserter(here));
@@ -145,11 +149,12 @@ class PlateBuilder {
     before.events.insert(last_ ? before.events.end() : before.events.begin(), std::move(event));
   }
 
-  std::optional<Path> travelTo(const Point3& to) {
+  /// Not below that height, unless it ends there.
+  std::optional<Path> travelTo(const Point3& to, double clear_mm) {
     const Point3 from = last().lastPoint();
     // Down again means over parts that are finished.
-    if (to.z() >= highest_mm_ - kSameLayer) return makeTravel(from, to, travel_);
-    const auto above = [this](const Point3& point) { return Point3(point.x(), point.y(), highest_mm_); };
+    if (to.z() >= clear_mm - kSameLayer) return makeTravel(from, to, travel_);
+    const auto above = [clear_mm](const Point3& point) { return Point3(point.x(), point.y(), clear_mm); };
     std::optional<Path> travel = makeTravel(above(from), above(to), travel_);
     if (!travel) return makeTravel(from, to, travel_);
     travel->points.insert(travel->points.begin(), from);
@@ -163,7 +168,7 @@ class PlateBuilder {
   Toolpath plate_;
   std::optional<std::pair<std::size_t, std::size_t>> last_;  ///< layer and path
   std::optional<std::size_t> part_;
-  double highest_mm_ = 0.0;
+  double highest_mm_ = kBelowAll;  ///< inclined layers may lie below the origin of their frame
 };
 
 bool isBelow(const LayerOfPart& a, const LayerOfPart& b) {

@@ -96,16 +96,26 @@ class ToolHeating {
     std::size_t at = taken;
     while (at > from && paths_[at].start_s > latest_s) --at;
     if (at < taken) put(at, "M104", tool, temperature(tool));
-    put(taken, "M109", tool, temperature(tool));
+    put(taken, "M109", tool, temperature(tool), waitingMotion(taken));
   }
 
-  void put(std::size_t path, const char* command, std::uint32_t tool, double temperature_c) const {
+  /// On the prime tower where the nozzle goes there: before it leaves it stands on the part.
+  std::size_t waitingMotion(std::size_t taken) const {
+    const Path& first = *paths_[taken].path;
+    const bool is_way_to_tower = first.role == PathRole::Travel && taken + 1 < paths_.size() &&
+                                 paths_[taken + 1].path->role == PathRole::Prime;
+    return is_way_to_tower ? first.motionCount() : 0;
+  }
+
+  void put(std::size_t path, const char* command, std::uint32_t tool, double temperature_c,
+           std::size_t motion = 0) const {
     char text[64];
     std::snprintf(text, sizeof text, "%s T%u S%g\n", command, static_cast<unsigned>(tool), temperature_c);
     std::vector<PathEvent>& events = paths_[path].path->events;
-    const auto behind =
-        std::find_if(events.begin(), events.end(), [](const PathEvent& placed) { return placed.motion > 0; });
+    const auto behind = std::find_if(events.begin(), events.end(),
+                                     [motion](const PathEvent& placed) { return placed.motion > motion; });
     PathEvent event;
+    event.motion = motion;
     event.event.emplace<MachineCode>(MachineCode{text, false});
     events.insert(behind, std::move(event));
   }
