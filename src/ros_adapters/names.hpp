@@ -115,5 +115,8 @@ inline constexpr char kNodeEnded[] =
 
 // Parameters.
 inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between
+inline constexpr char kDiagnosticPeriodParameter[] =
+    "diagnostic_period";  ///< private: of diagnostic_updater, between reports on /diagnostics [s]
+inline constexpr char kListeningPortParameter[] = "listening_port";  ///< private, set by plc_link itself
 
 }  // namespace lamina::names

@@ -4,6 +4,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/exact_text.hpp"
+#include "lamina/base/text.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -27,16 +28,47 @@ std::string textOf(const std::string& key, XmlRpcValue& value) {
     case XmlRpcValue::TypeString:
       return static_cast<std::string>(value);
     default:
-      throw InvalidConfig("parameter " + key + " is a list, a date or binary; must be a single value");
+      throw InvalidConfig("parameter " + key +
+                          " is a date or binary; must be a value, a list of values or a list of groups");
   }
+}
+
+/// Heard before there were settings, or by diagnostic_updater.
+bool isNoSetting(const std::string& key) {
+  return key == names::kPluginsParameter || key == names::kDiagnosticPeriodParameter;
+}
+
+bool isGroup(const XmlRpcValue& value) {
+  return value.getType() == XmlRpcValue::TypeStruct || value.getType() == XmlRpcValue::TypeArray;
+}
+
+void flatten(const std::string& prefix, XmlRpcValue& group, std::vector<Parameter>& found);
+
+/// As in files of settings: values with commas between them, or groups whose names are their numbers.
+void flattenList(const std::string& key, XmlRpcValue& list, std::vector<Parameter>& found) {
+  std::vector<std::string> texts;
+  XmlRpcValue groups;
+  for (int i = 0; i < list.size(); ++i) {
+    if (isGroup(list[i]))
+      groups[std::to_string(i)] = list[i];
+    else
+      texts.push_back(textOf(key, list[i]));
+  }
+  if (!groups.valid()) return found.push_back({{key, listed(texts, ",")}, XmlRpcValue::TypeArray});
+  if (!texts.empty())
+    throw InvalidConfig("parameter " + key + " is a list of " + std::to_string(texts.size()) +
+                        " values and " + std::to_string(groups.size()) + " groups; must hold one kind");
+  flatten(key + ".", groups, found);
 }
 
 void flatten(const std::string& prefix, XmlRpcValue& group, std::vector<Parameter>& found) {
   for (auto& [name, value] : group) {
     const std::string key = prefix + name;
-    if (key == names::kPluginsParameter) continue;  // was heard before there were settings
+    if (isNoSetting(key)) continue;
     if (value.getType() == XmlRpcValue::TypeStruct)
       flatten(key + ".", value, found);
+    else if (value.getType() == XmlRpcValue::TypeArray)
+      flattenList(key, value, found);
     else
       found.push_back({{key, textOf(key, value)}, value.getType()});
   }
@@ -55,12 +87,15 @@ bool fits(const std::string& setting_type, XmlRpcValue::Type type) {
   if (setting_type == "integer") return type == XmlRpcValue::TypeInt;
   if (setting_type == "number") return type == XmlRpcValue::TypeInt || type == XmlRpcValue::TypeDouble;
   if (setting_type == "table") return true;
+  const bool are_numbers = setting_type.find("numbers") != std::string::npos;
+  if (type == XmlRpcValue::TypeArray) return are_numbers || setting_type == "text";
   if (setting_type == "numbers" && type != XmlRpcValue::TypeBoolean) return true;
   return type == XmlRpcValue::TypeString;
 }
 
 /// YAML takes more words for truth values than those that a person would.
 std::string hintFor(XmlRpcValue::Type type) {
+  if (type == XmlRpcValue::TypeArray) return "; it is a list";
   return type == XmlRpcValue::TypeBoolean
              ? "; in YAML the words on, off, yes and no have to stand in quotes to be words"
              : "";

@@ -12,8 +12,9 @@
 namespace lamina {
 
 /// The parameters below a node handle's namespace as settings with dotted keys: slicing/layer_height_mm
-/// becomes slicing.layer_height_mm. None if nothing is set.
-/// @throws InvalidConfig if a parameter is a list, a date or binary
+/// becomes slicing.layer_height_mm. Lists are read as in files of settings: values with commas between them,
+/// groups under their numbers. None if nothing is set.
+/// @throws InvalidConfig if a parameter is a date or binary, or a list of values and groups
 std::vector<SettingText> settingsFromParameters(const ros::NodeHandle& node);
 
 /// Sets all parameters below a node handle's namespace.

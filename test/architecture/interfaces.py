@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What others see is used: options of the command by a test or tool, launch files and their arguments too, topics, services and
 actions by a node and by a test. Fields of messages stand in a source, and once more in a source or test. Launch files keep nodes of
-other packages on the loopback interface.
+other packages on the loopback interface, and pass texts on as texts.
 
 Usage: interfaces.py [ROOT]   exits 1 and names what nothing outside its definition uses
 """
@@ -20,6 +20,9 @@ OPTION = re.compile(r'add_(?:option|flag)\w*\(\s*"([^"]+)"')
 TOPIC = re.compile(r'inline constexpr char (k\w+)\[\]\s*=\s*"([^"]+)"')
 FIELD = re.compile(r"^\s*[\w/]+(?:\[\w*\])?\s+(\w+)\s*(?:#.*)?$", re.MULTILINE)
 ARGUMENT = re.compile(r'<arg\s+name="(\w+)"\s+default=')
+NODE_OR_PARAMETER = re.compile(r'<node\b[^>]*?\btype="(\w+)"|(</node>)|<param\b([^>]*\bvalue="\$\(arg [^>]*)>')
+NAME = re.compile(r'\bname="([\w/]+)"')
+NO_TEXT = re.compile(r"-?\d+(?:\.\d*)?(?:e-?\d+)?|true|false")
 USERS = ("test", "tools", "bench")
 TEXTS = {".cpp", ".hpp", ".py", ".sh", ".test", ".launch", ".yaml", ".md", ""}
 
@@ -64,6 +67,30 @@ def launch_faults(root):
             yield path.name, f"{path}: a node of another package is not kept on the loopback interface (docs/cell/security.md)"
 
 
+def default_of(setting, config):
+    """What a setting without its node is in a file of config/, as it is written there; nothing if it is absent."""
+    *group, key = setting.split("/")
+    lines = rf"^{group[0]}:\n(?:[ #].*\n)*?  {key}: (.*)$" if group else rf"^{key}: (.*)$"
+    found = re.search(lines, config, re.MULTILINE)
+    return found.group(1) if found else None
+
+
+def text_faults(root):
+    """roslaunch makes a number of a folder 2026 and a truth value of a word true, which nodes refuse, unless it is told the type."""
+    configs = {path.stem: text for path, text in texts(root, "config").items()}
+    for path, text in texts(root, "launch").items():
+        node = None
+        for opened, closed, parameter in NODE_OR_PARAMETER.findall(text):
+            if opened or closed:
+                node = opened
+                continue
+            name = NAME.search(parameter).group(1)
+            of, _, setting = (node, "", name) if node else name.partition("/")
+            default = default_of(setting, configs.get(of, ""))
+            if default is not None and not NO_TEXT.fullmatch(default) and 'type="str"' not in parameter:
+                yield name, f'{path}: parameter {name} of {of} is a text; expected type="str"'
+
+
 def topic_faults(root):
     header = root / "src/ros_adapters/names.hpp"
     sources = found_in(r"\bk\w+", {path: text for path, text in texts(root, "src").items() if path.name != "names.hpp"})
@@ -97,7 +124,7 @@ def field_faults(root):
 
 def faults(root, gaps=None):
     gaps = GAPS if gaps is None else gaps
-    found = [fault for look in (option_faults, launch_faults, topic_faults, field_faults) for fault in look(root)]
+    found = [fault for look in (option_faults, launch_faults, text_faults, topic_faults, field_faults) for fault in look(root)]
     yield from (text for name, text in found if name not in gaps)
     for name in sorted(gaps.keys() - {name for name, _ in found}):
         yield f"test/architecture/interfaces.py: {name} is used now; expected it to be no gap"

@@ -95,6 +95,15 @@ class Interfaces(unittest.TestCase):
         launch["launch/a.launch"] += '<env name="ROS_IP" value="127.0.0.1"/>\n'
         self.assertEqual(self.found(launch), [])
 
+    def test_a_launch_file_passes_texts_on_as_texts(self):
+        files = {"config/a.yaml": "# Of a.\ndisk:\n  # Which?\n  least_gib: 2\n  folder: .\nport: 1e-3\nname: \"\"\n", "tools/demo": "a.launch\n",
+                 "launch/a.launch": '<arg name="b" default=""/>\n<param name="a/disk/folder" value="$(arg b)"/>\n<node name="a" pkg="lamina" type="a">\n'
+                                    '<param name="disk/least_gib" value="$(arg b)"/>\n<param name="port" value="$(arg b)"/>\n'
+                                    '<param if="$(eval b)" name="name" value="$(arg b)"/>\n</node>\n'}
+        self.assertEqual(len(self.found(files)), 2)
+        files["launch/a.launch"] = files["launch/a.launch"].replace(' value="$(', ' type="str" value="$(')
+        self.assertEqual(self.found(files), [])
+
     def test_a_topic_has_a_node_and_a_test(self):
         topic = {"src/ros_adapters/names.hpp": 'inline constexpr char kHeat[] = "heat";\n'}
         self.assertEqual(len(self.found(topic)), 2)

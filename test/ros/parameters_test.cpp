@@ -16,6 +16,8 @@ struct Example {
   int count = 2;
   bool is_on = false;
   std::string name = "gantry";
+  std::vector<double> axis;
+  lamina::SettingTable zones;
 };
 
 lamina::SettingsSchema describe(Example& example) {
@@ -24,6 +26,8 @@ lamina::SettingsSchema describe(Example& example) {
   schema.integer("walls.count", example.count, {0.0, 100.0}, "Walls.");
   schema.flag("walls.on", example.is_on, "Whether there are walls.");
   schema.text("machine.name", example.name, "Machine.");
+  schema.numbers("axis", example.axis, 3, "Axis.");
+  schema.table("zones", example.zones, "Zones.");
   return schema;
 }
 
@@ -69,6 +73,30 @@ TEST(Parameters, OfAnotherTypeAreRefused) {
   EXPECT_NE(refusal("number_for_flag"), "");
   EXPECT_NE(refusal("list"), "");
 }
+
+/// What stands in a file of settings stands on the parameter server when that file is loaded with rosparam.
+TEST(Parameters, ThatAreListsAreReadAsInFilesOfSettings) {
+  Example example;
+  lamina::SettingsSchema schema = describe(example);
+  lamina::applyParameters(schema, ros::NodeHandle("~list_of_numbers"));
+  EXPECT_EQ(example.axis, (std::vector<double>{0.0, 0.5, -1.0}));
+  EXPECT_EQ(example.name, "desk,motion");
+  lamina::applyParameters(schema, ros::NodeHandle("~list_of_groups"));
+  const lamina::SettingTable zones{
+      {"0.file", "a.stl"}, {"0.flow", "0.5"}, {"1.corner", "1,2"}, {"1.file", "b.stl"}};
+  EXPECT_EQ(example.zones, zones);
+}
+
+TEST(Parameters, ThatAreListsOfAnotherKindAreRefused) {
+  EXPECT_NE(refusal("list").find("slicing.height_mm is '0.1,0.2'"), std::string::npos) << refusal("list");
+  EXPECT_NE(refusal("list_of_too_few").find("axis is '0,1'; must be 3 numbers"), std::string::npos)
+      << refusal("list_of_too_few");
+  EXPECT_NE(refusal("list_for_flag"), "");
+  EXPECT_NE(refusal("list_of_both").find("1 values and 1 groups"), std::string::npos)
+      << refusal("list_of_both");
+}
+
+TEST(Parameters, OfTheLibraryOfDiagnosticsAreNoSettings) { EXPECT_EQ(refusal("diagnosed"), ""); }
 
 TEST(Parameters, ThatYamlTakesForTruthValuesAreToBeQuoted) {
   const std::string message = refusal("word_for_text");

@@ -17,6 +17,7 @@
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
+#include "unit_diagnostics.hpp"
 
 namespace lamina {
 namespace {
@@ -113,6 +114,9 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
     loop_subscriber_ = node.subscribe<lamina_msgs::LoopState>(names::kLoopState, 10, on_loop);
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
+  diagnostics_.begin("none", "unit", [this](auto& diagnostics) {
+    fillDiagnostics(published_status_, published_alarms_, diagnostics);
+  });
   ROS_INFO_STREAM("the unit is in " << toString(cell_->status().state));
 }
 
@@ -460,6 +464,9 @@ void CellController::publish() {
   alarms.header.stamp = stamp;
   for (const ActiveAlarm& alarm : cell_->status().alarms.all()) alarms.alarms.push_back(toMessage(alarm));
   publishLatched(alarms_, alarms);
+  published_status_ = std::move(status);
+  published_alarms_ = std::move(alarms);
+  diagnostics_.update();
 }
 
 void CellController::publishQueue() {

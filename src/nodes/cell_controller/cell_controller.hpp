@@ -22,6 +22,7 @@
 #include "lamina/journal/cell_journal.hpp"
 #include "lamina/journal/execution_log.hpp"
 #include "layer_log.hpp"
+#include "node_diagnostics.hpp"
 #include "plc_desk.hpp"
 #include "stream_executor.hpp"
 
@@ -82,6 +83,9 @@ class CellController {
   ros::Publisher status_;
   ros::Publisher alarms_;
   ros::Publisher queue_;
+  NodeDiagnostics diagnostics_;
+  lamina_msgs::PackmlStatus published_status_;
+  lamina_msgs::CellAlarms published_alarms_;
   CellJournal journal_;
   ExecutionLog log_;
   LayerLog layers_;

@@ -111,10 +111,9 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     toolpath_publisher_ = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
     plan_ = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, plan);
   }
-  updater_.setHardwareID(settings_.port.name);
-  updater_.add("stream", this, &GcodeStreamer::diagnose);
+  diagnostics_.begin(settings_.port.name, "stream", [this](auto& diagnostics) { diagnose(diagnostics); });
   const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
-    updater_.update();
+    diagnostics_.update();
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
   onStartup(startup_.report());

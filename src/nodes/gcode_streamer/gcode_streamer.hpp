@@ -3,7 +3,6 @@
 #pragma once
 
 #include <actionlib/server/simple_action_server.h>
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
@@ -24,6 +23,7 @@
 #include "lamina/streaming/guard/pulse_link.hpp"
 #include "lamina/streaming/session/stream_session.hpp"
 #include "messages.hpp"
+#include "node_diagnostics.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
 #include "owner_watch.hpp"
@@ -124,7 +124,7 @@ class GcodeStreamer {
   OwnerWatch owner_watch_;
   JobAlarms job_alarms_;
   double asked_s_ = 0.0;  ///< when the machine was last asked how it is, during a job
-  diagnostic_updater::Updater updater_;
+  NodeDiagnostics diagnostics_;
   ros::Timer diagnostics_timer_;
 
   bool is_dry_ = false;  ///< the job under way; of the action's thread alone

@@ -47,9 +47,7 @@ HeightController::HeightController(ros::NodeHandle node, const HeightControllerS
       hold_(settings.arrival_hold_s),
       memory_(settings.memory_file),
       calibrator_(node, settings.run.calibration.file, settings.queue_mb) {
-  diagnostics_.setHardwareID("none");
-  diagnostics_.add("height loop",
-                   [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
+  diagnostics_.begin("none", "height loop", [this](auto& status) { diagnose(status); });
   know(feed_.settings());
   subscribe(node);
   read_calibration_ =

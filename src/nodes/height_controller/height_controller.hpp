@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
@@ -22,6 +21,7 @@
 #include "lamina/control/report/loop_record.hpp"
 #include "loop/loop_feed.hpp"
 #include "loop/part_watch.hpp"
+#include "node_diagnostics.hpp"
 #include "print_hold.hpp"
 #include "print_memory.hpp"
 
@@ -89,7 +89,7 @@ class HeightController {
   bool is_saved_ = true;
   bool is_learnt_saved_ = false;  ///< of the print under way
   PartWatch parts_;
-  diagnostic_updater::Updater diagnostics_;
+  NodeDiagnostics diagnostics_;
   ros::Subscriber toolpath_;
   ros::Subscriber profile_;
   ros::Subscriber tf_;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "host_diagnostics.hpp"
 #include "lamina/base/disk_space.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -56,7 +57,8 @@ HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& 
       alarms_(node.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 100,
                                                        [this](const auto& listener) { greet(listener); })),
       state_(node.advertise<lamina_msgs::HostState>(names::kHostState, 10, true)),
-      look_(namesIn(settings.nodes), settings.watch.master_silence_s / 5.0, watch_, mutex_),
+      look_(watchedNodes(settings, node.getNamespace()), settings.watch.master_silence_s / 5.0, watch_,
+            mutex_),
       link_(settings, watch_, mutex_) {
   if (!addresses_.empty() && settings.bind.compare(0, 4, "127.") != 0)
     ROS_WARN_STREAM(
@@ -64,6 +66,7 @@ HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& 
                     << " is open to the network; datagrams of other hosts than hosts.peers are dropped");
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
   if (!settings.guard_socket.empty()) watchMachine();
+  diagnostics_.begin(settings.watch.host, "host", [this](auto& diagnostics) { diagnose(diagnostics); });
   timer_ = node.createWallTimer(ros::WallDuration(kTickInterval), tick);
 }
 
@@ -147,6 +150,19 @@ void HostWatchNode::publish() {
     for (const NodeStatus& watched : watch_.nodes()) state.nodes.push_back(toMessage(watched));
   }
   publishLatched(state_, state);
+  published_ = std::move(state);
+  diagnostics_.update();
+}
+
+void HostWatchNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  std::vector<HostAlarm> alarms;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    alarms = watch_.present();
+    const std::vector<HostAlarm> of_machine = machine_alarms_.present();
+    if (!settings_.guard_socket.empty()) alarms.insert(alarms.end(), of_machine.begin(), of_machine.end());
+  }
+  fillDiagnostics(published_, alarms, diagnostics);
 }
 
 }  // namespace lamina

@@ -13,6 +13,7 @@
 #include "lamina/streaming/guard/streamer_watch.hpp"
 #include "machine_alarms.hpp"
 #include "messages.hpp"
+#include "node_diagnostics.hpp"
 #include "peer_link.hpp"
 #include "watch_settings.hpp"
 
@@ -29,6 +30,7 @@ class HostWatchNode {
  private:
   void onTick();
   void publish();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
   void watchMachine();
   void onMachine(const GuardNews& news);
   void greet(const ros::SingleSubscriberPublisher& listener);
@@ -41,6 +43,8 @@ class HostWatchNode {
   MachineAlarms machine_alarms_;
   ros::Publisher alarms_;
   ros::Publisher state_;
+  NodeDiagnostics diagnostics_;
+  lamina_msgs::HostState published_;
   ros::WallTimer timer_;
   double published_s_ = 0.0;
   GraphLook look_;

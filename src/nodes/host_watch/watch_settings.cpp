@@ -3,6 +3,7 @@
 #include "watch_settings.hpp"
 
 #include <arpa/inet.h>
+#include <ros/names.h>
 
 #include <algorithm>
 #include <sstream>
@@ -50,7 +51,8 @@ void describe(SettingsSchema& schema, HostWatchNodeSettings& settings) {
   schema.text("disk.folder", settings.folder, "Folder whose disk is watched: that of the journal.");
   schema.number("disk.least_gib", settings.least_gib, {0.0, 1000.0},
                 "Free space below which alarm 7002 is raised [GiB].");
-  schema.text("nodes", settings.nodes, "Full names of the nodes that are watched, commas between.");
+  schema.text("nodes", settings.nodes,
+              "Names of the nodes that are watched, in the watch's own namespace or full, commas between.");
   schema.text(
       "guard.socket", settings.guard_socket,
       "Socket for the streamer or driver of a machine on this host, which is stopped in its place if it dies "
@@ -85,6 +87,17 @@ std::vector<std::string> namesIn(const std::string& list) {
     if (!name.empty()) names.push_back(name);
   }
   return names;
+}
+
+std::vector<std::string> watchedNodes(const HostWatchNodeSettings& settings, const std::string& space) {
+  std::vector<std::string> nodes = namesIn(settings.nodes);
+  for (std::string& node : nodes) {
+    std::string defect;
+    if (!ros::names::validate(node, defect))
+      throw InvalidConfig("nodes is '" + settings.nodes + "': " + defect);
+    node = ros::names::resolve(space, node);
+  }
+  return nodes;
 }
 
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings) {

@@ -47,4 +47,9 @@ std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);
 /// The names in a list with commas between.
 std::vector<std::string> namesIn(const std::string& list);
 
+/// Full names of the nodes that are watched.
+/// @param space  namespace of the watch, in which names without a leading slash are
+/// @throws InvalidConfig for a name that no node can have
+std::vector<std::string> watchedNodes(const HostWatchNodeSettings& settings, const std::string& space);
+
 }  // namespace lamina

@@ -90,9 +90,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
       intake_(node, settings.queue_mb, sensorOf(calibration_),
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }, [this] { onRestart(); }}) {
-  diagnostics_.setHardwareID("none");
-  diagnostics_.add("layer heights",
-                   [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
+  diagnostics_.begin("none", "layer heights", [this](auto& status) { diagnose(status); });
   toolpath_ = node.subscribe(names::kToolpath, 1, &LayerHeightMonitor::onToolpath, this);
   machine_state_ = node.subscribe(names::kMachineState, 100, &LayerHeightMonitor::onMachineState, this);
   save_ = node.advertiseService(names::kSaveHeightMap, &LayerHeightMonitor::onSave, this);

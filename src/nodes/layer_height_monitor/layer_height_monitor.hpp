@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -18,6 +17,7 @@
 #include "loop/part_watch.hpp"
 #include "messages.hpp"
 #include "monitor_settings.hpp"
+#include "node_diagnostics.hpp"
 #include "profile_intake.hpp"
 #include "silence_watch.hpp"
 
@@ -73,7 +73,7 @@ class LayerHeightMonitor {
   bool is_finished_ = false;   ///< nothing more comes of the toolpath
   Calibration calibration_;    ///< empty without a file
   ProfileIntake intake_;
-  diagnostic_updater::Updater diagnostics_;
+  NodeDiagnostics diagnostics_;
   ros::Subscriber toolpath_;
   ros::Subscriber machine_state_;
   ros::ServiceServer save_;

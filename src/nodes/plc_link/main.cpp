@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
+#include "names.hpp"
 #include "parameters.hpp"
 #include "plc_link_node.hpp"
 #include "shutdown.hpp"
@@ -11,10 +12,12 @@ int main(int argc, char** argv) {
     lamina::LinkSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);
-    lamina::applyParameters(schema, ros::NodeHandle("~"));
+    ros::NodeHandle own("~");
+    own.deleteParam(lamina::names::kListeningPortParameter);  // of a run before, which a kill leaves behind
+    lamina::applyParameters(schema, own);
     ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
     const lamina::PlcLinkNode link(ros::NodeHandle(), settings);
-    ros::NodeHandle("~").setParam("listening_port", static_cast<int>(link.port()));
+    own.setParam(lamina::names::kListeningPortParameter, static_cast<int>(link.port()));
     ros::spin();
   });
 }

@@ -63,6 +63,8 @@ PlcLinkNode::PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settin
                                          << ", which other hosts may reach; it knows no passwords");
   ROS_INFO_STREAM("Modbus listens on " << settings.bind << ':' << port());
   const boost::function<void(const ros::WallTimerEvent&)> tick = [this](const auto&) { onTick(); };
+  diagnostics_.begin(settings.bind + ':' + std::to_string(port()), "PLC",
+                     [this](auto& diagnostics) { diagnose(diagnostics); });
   timer_ = node_.createWallTimer(ros::WallDuration(kTickInterval), tick);
 }
 
@@ -104,6 +106,11 @@ void PlcLinkNode::onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters) {
 }
 
 void PlcLinkNode::onTick() {
+  followUnit();
+  diagnostics_.update();
+}
+
+void PlcLinkNode::followUnit() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const double now_s = clock_.now();
   if (is_unit_here_ && now_s - view_.unit_heard_s > kLongestUnitSilence) {
@@ -146,6 +153,8 @@ void PlcLinkNode::onClosed(int connection) {
 void PlcLinkNode::onBroken(const std::string& address, const std::string& reason) {
   ROS_WARN_STREAM_THROTTLE(1.0, "the connection of " << address << " was closed: " << reason);
   const std::lock_guard<std::mutex> lock(mutex_);
+  ++reach_.broken_frames;
+  reach_.last_break = address + ": " + reason;
   if (broken_frames_.add(clock_.now()))
     raise(kBrokenFrames, kBrokenFramesAMinute,
           "more than " + std::to_string(kBrokenFramesAMinute) + " within a minute, the last from " + address +
@@ -204,6 +213,14 @@ void PlcLinkNode::publishInputs() {
   published_news_ = link_.news();
   published_s_ = clock_.now();
   publishLatched(inputs_, inputsNow());
+}
+
+void PlcLinkNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  PlcReach reach = reach_;
+  reach.is_unit_here = is_unit_here_;
+  reach.last_refusal = refusal_;
+  fillDiagnostics(inputsNow(), reach, diagnostics);
 }
 
 void PlcLinkNode::raise(int alarm, double value, const std::string& message) {

@@ -14,7 +14,9 @@
 #include "lamina/modbus/plc_link.hpp"
 #include "lamina/modbus/repeat_watch.hpp"
 #include "link_settings.hpp"
+#include "node_diagnostics.hpp"
 #include "order_desk.hpp"
+#include "plc_diagnostics.hpp"
 #include "unit_view.hpp"
 
 namespace lamina {
@@ -35,6 +37,7 @@ class PlcLinkNode {
   void onProcess(const lamina_msgs::ProcessStateConstPtr& process);
   void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
   void onTick();
+  void followUnit();
 
   std::string answer(int connection, const ModbusRequest& request);
   void onClosed(int connection);
@@ -45,6 +48,7 @@ class PlcLinkNode {
   void refreshRegisters(double now_s);
   lamina_msgs::PlcInputs inputsNow();
   void publishInputs();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
   void raise(int alarm, double value, const std::string& message);
 
   ros::NodeHandle node_;
@@ -52,6 +56,7 @@ class PlcLinkNode {
   SteadyClock clock_;
   ros::Publisher inputs_;
   ros::Publisher alarms_;
+  NodeDiagnostics diagnostics_;
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
 
@@ -68,6 +73,7 @@ class PlcLinkNode {
   RepeatWatch broken_frames_;
   RepeatWatch refusals_;
   std::string refusal_;  // the last
+  PlcReach reach_;
 
   // Last, so that their threads end before what they use.
   std::unique_ptr<OrderDesk> desk_;

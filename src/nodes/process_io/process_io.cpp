@@ -170,8 +170,7 @@ ProcessIo::ProcessIo(ros::NodeHandle node, const ProcessIoSettings& settings)
                                       [this](const ros::WallTimerEvent&) { publishState(); });
   ready_timer_ = node.createWallTimer(ros::WallDuration(1.0 / kReadyHz),
                                       [this](const ros::WallTimerEvent&) { publishReady(); });
-  updater_.setHardwareID("process_io");
-  updater_.add("outputs", [this](auto& diagnostics) { diagnose(diagnostics); });
+  diagnostics_.begin("process_io", "outputs", [this](auto& diagnostics) { diagnose(diagnostics); });
   cycle_ =
       std::make_unique<PeriodicThread>(settings.bridge.rate_hz, [this](double due_s) { onCycle(due_s); });
   ROS_INFO_STREAM("process outputs run " << cycle_->rights());
@@ -296,7 +295,7 @@ void ProcessIo::publishReady() {
   ready_.publish(ready);
   for (const ProcessAlarm& alarm : news) publishAlarm(alarm);
   for (const std::string& note : notes) ROS_WARN_STREAM(note);
-  updater_.update();
+  diagnostics_.update();
 }
 
 void ProcessIo::publishAlarm(const ProcessAlarm& alarm) {

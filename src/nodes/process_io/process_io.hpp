@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
@@ -16,6 +15,7 @@
 #include "lamina/process_io/devices/device_link.hpp"
 #include "lamina/process_io/process_bridge.hpp"
 #include "messages.hpp"
+#include "node_diagnostics.hpp"
 #include "process_io_settings.hpp"
 
 namespace lamina {
@@ -64,7 +64,7 @@ class ProcessIo {
   ros::Subscriber positions_;
   ros::WallTimer state_timer_;
   ros::WallTimer ready_timer_;
-  diagnostic_updater::Updater updater_;
+  NodeDiagnostics diagnostics_;
   // Last, so that no cycle runs while the rest is destroyed.
   std::unique_ptr<PeriodicThread> cycle_;
 };

@@ -11,6 +11,7 @@
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "servo_diagnostics.hpp"
 #include "shutdown.hpp"
 
 namespace lamina {
@@ -51,6 +52,10 @@ ServoBridge::ServoBridge(ros::NodeHandle node, const ServoBridgeSettings& settin
     settings_.drive.robot.script_port = emulated_->port();
   }
   drive_ = std::make_unique<ServojDrive>(model_->joints(), settings_.drive);
+  rights_ = drive_->rights();
+  diagnostics_.begin(
+      settings_.is_emulated ? "none" : settings_.drive.robot.host, "robot",
+      [this](auto& diagnostics) { fillDiagnostics(drive_->state(), connection_, rights_, diagnostics); });
   const boost::function<void(const ros::TimerEvent&)> tick = [this](const ros::TimerEvent&) { onTick(); };
   timer_ = node.createTimer(ros::Duration(1.0 / settings_.report_hz), tick);
   server_.registerGoalCallback([this] { onGoal(); });
@@ -58,7 +63,7 @@ ServoBridge::ServoBridge(ros::NodeHandle node, const ServoBridgeSettings& settin
   server_.start();
   ROS_INFO("leading %s at %s, %s; awaited on %s:%d", model_->name().c_str(),
            settings_.is_emulated ? "no address: it is emulated" : settings_.drive.robot.host.c_str(),
-           drive_->rights().c_str(), settings_.drive.robot.bind.c_str(), static_cast<int>(drive_->port()));
+           rights_.c_str(), settings_.drive.robot.bind.c_str(), static_cast<int>(drive_->port()));
 }
 
 void ServoBridge::end() {
@@ -119,6 +124,7 @@ void ServoBridge::onTick() {
   report(state);
   lookAtGoal(state);
   logConnection(drive_->keepConnected());
+  diagnostics_.update();
 }
 
 void ServoBridge::lookAtGoal(const ServojDriveState& state) {

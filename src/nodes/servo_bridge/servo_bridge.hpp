@@ -13,6 +13,7 @@
 #include "follow_joint_trajectory.hpp"
 #include "goal_tolerances.hpp"
 #include "lamina/servo/emulated_robot.hpp"
+#include "node_diagnostics.hpp"
 #include "tf/machine_transforms.hpp"
 
 namespace lamina {
@@ -60,7 +61,9 @@ class ServoBridge {
   JointValues speed_;  ///< of the joints, between the last two reports
   bool has_been_connected_ = false;
   std::string connection_;  ///< what was logged of it last
+  std::string rights_;      ///< of the thread that leads the robot
   ros::Publisher position_;
+  NodeDiagnostics diagnostics_;
   ros::Timer timer_;
   Server server_;
 };

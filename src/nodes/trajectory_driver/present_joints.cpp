@@ -45,10 +45,10 @@ void PresentJoints::hear(const sensor_msgs::JointState& state) {
   }
 }
 
-std::string PresentJoints::missingSince(const ros::Time& time) const {
+std::string PresentJoints::missingWithin(double age_s, const ros::Time& now) const {
   for (const DrivenJoint& joint : model_.joints()) {
     const auto found = heard_.find(joint.name);
-    if (found == heard_.end() || found->second.at < time) return joint.name;
+    if (found == heard_.end() || std::abs((now - found->second.at).toSec()) > age_s) return joint.name;
   }
   return "";
 }
@@ -60,8 +60,7 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
     std::string missing;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      const double past_s = std::min(age_s, now.toSec());
-      missing = missingSince(now - ros::Duration(past_s));
+      missing = missingWithin(age_s, now);
       if (missing.empty()) {
         JointValues values(static_cast<Eigen::Index>(model_.joints().size()));
         for (Eigen::Index j = 0; j < values.size(); ++j)

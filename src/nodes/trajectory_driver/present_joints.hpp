@@ -34,8 +34,9 @@ class PresentJoints {
     ros::Time moved_at;
   };
   void hear(const sensor_msgs::JointState& state);
-  /// A joint that was not heard of since then; empty if there is none.
-  std::string missingSince(const ros::Time& time) const;
+  /// A joint that was not heard of within that time of now; empty if there is none. What was heard of long
+  /// after now is of before ROS time went back.
+  std::string missingWithin(double age_s, const ros::Time& now) const;
 
   const KinematicModel& model_;
   mutable std::mutex mutex_;

@@ -15,6 +15,9 @@ std::string processFault(const ProcessIoDemand& demand, const lamina_msgs::Proce
   if (silent_s > demand.silence_s)
     return "process_io has been silent for " + numberText(silent_s) + " s; expected word every " +
            numberText(demand.silence_s) + " s at least";
+  if (silent_s < -demand.silence_s)
+    return "process_io was last heard " + numberText(-silent_s) +
+           " s ahead of ROS time, which has gone back; expected word since";
   return last.ready ? std::string() : "process_io is not ready: " + last.reason;
 }
 

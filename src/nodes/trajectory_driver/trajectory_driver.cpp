@@ -101,13 +101,12 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
         const std::lock_guard<std::mutex> lock(mutex_);
         toolpath_ = event.getConstMessage();
       };
-  updater_.setHardwareID(model_->name());
-  updater_.add("drive", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  diagnostics_.begin(model_->name(), "drive", [this](auto& diagnostics) {
     const std::lock_guard<std::mutex> lock(mutex_);
     fillDiagnostics(status_, diagnostics);
   });
   const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
-    updater_.update();
+    diagnostics_.update();
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);

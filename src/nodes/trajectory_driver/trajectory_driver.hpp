@@ -3,7 +3,6 @@
 #pragma once
 
 #include <actionlib/server/simple_action_server.h>
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
@@ -22,6 +21,7 @@
 #include "jog_driver.hpp"
 #include "lamina/streaming/guard/pulse_link.hpp"
 #include "messages.hpp"
+#include "node_diagnostics.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
 #include "part_markers.hpp"
@@ -120,7 +120,7 @@ class TrajectoryDriver {
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
-  diagnostic_updater::Updater updater_;
+  NodeDiagnostics diagnostics_;
   ros::Timer diagnostics_timer_;
   ProcessPublisher process_;
   ProcessIoWatch process_io_;

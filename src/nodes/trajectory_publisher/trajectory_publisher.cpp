@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "conversions.hpp"
+#include "description_warning.hpp"
 #include "joint_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
@@ -104,7 +105,13 @@ constexpr std::uint32_t kNoBound = 0;  // of a queue: between poses tf goes stra
 /// The machine's description, for those who read it from the parameter server, unless there is one already.
 const std::string& described(const KinematicModel& model, ros::NodeHandle& node) {
   constexpr char kDescription[] = "robot_description";
-  if (!node.hasParam(kDescription)) node.setParam(kDescription, model.urdf());
+  std::string present;
+  if (!node.hasParam(kDescription)) {
+    node.setParam(kDescription, model.urdf());
+  } else if (node.getParam(kDescription, present)) {
+    const std::string warning = descriptionWarning(present, model.urdf());
+    if (!warning.empty()) ROS_WARN_STREAM(node.resolveName(kDescription) << " is left as it is: " << warning);
+  }
   return model.urdf();
 }
 
@@ -119,6 +126,8 @@ JointPositions positionsIn(const sensor_msgs::JointState& state) {
   if (state.name.size() != state.position.size())
     throw InvalidInput(std::to_string(state.name.size()) + " axes and " +
                        std::to_string(state.position.size()) + " positions; there must be as many");
+  if (state.header.stamp.isZero())
+    throw InvalidInput("its stamp is 0 s; expected the time at which the axes stood there");
   JointPositions positions;
   for (std::size_t i = 0; i < state.name.size(); ++i) positions[state.name[i]] = state.position[i];
   return positions;

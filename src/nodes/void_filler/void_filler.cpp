@@ -116,6 +116,7 @@ Marker markerOf(VoidClass kind, const Colour& colour) {
   Marker marker;
   marker.ns = toString(kind);
   marker.pose.orientation.w = 1.0;
+  marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
   marker.color.r = static_cast<float>(colour.red);
   marker.color.g = static_cast<float>(colour.green);
   marker.color.b = static_cast<float>(colour.blue);

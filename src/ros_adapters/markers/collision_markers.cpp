@@ -22,6 +22,7 @@ Marker markerAt(const std::string& name, int id, std::int32_t type) {
   marker.id = id;
   marker.type = type;
   marker.pose.orientation.w = 1.0;
+  marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
   marker.color.r = 0.85F;
   marker.color.a = 1.0F;
   return marker;

@@ -68,6 +68,7 @@ class FrameLines {
     marker.id = next_id_++;
     marker.type = Marker::LINE_LIST;
     marker.pose.orientation.w = 1.0;
+    marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
     marker.scale.x = toMetres(kFrameLineShare * settings_.length_mm);
     marker.color.r = kColours[axis][0];
     marker.color.g = kColours[axis][1];

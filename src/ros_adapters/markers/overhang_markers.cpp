@@ -31,6 +31,7 @@ Marker overhangMarkerOf(const std::string& name, std::int32_t type,
   marker.type = type;
   marker.color = overhangColour;
   marker.pose.orientation.w = 1.0;
+  marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
   return marker;
 }
 

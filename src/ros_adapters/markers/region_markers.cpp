@@ -29,6 +29,7 @@ Marker markerOf(const std::string& frame, const std::string& name_space, std::in
   marker.ns = name_space;
   marker.type = type;
   marker.pose.orientation.w = 1.0;
+  marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
   marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
   return marker;
 }

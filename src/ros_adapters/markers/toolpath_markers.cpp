@@ -79,6 +79,7 @@ class MarkerChunker {
     marker.id = next_id_++;
     marker.type = type;
     marker.pose.orientation.w = 1.0;
+    marker.frame_locked = 1;  // it goes where the part is put next, and with a table that moves
     marker.color = colour(role);
     return marker;
   }

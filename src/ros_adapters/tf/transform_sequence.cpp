@@ -24,10 +24,6 @@ bool isFarAhead(const ros::Time& stamp, const ros::Time& latest) {
 }
 
 /// As tf2 does: frames were once named with a slash in front.
-std::string bare(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
-
 }  // namespace
 
 TransformSequence::TransformSequence(std::size_t most_waiting)
@@ -111,13 +107,13 @@ void TransformSequence::addFixed(const geometry_msgs::TransformStamped& transfor
 }
 
 void TransformSequence::keepFrames(const geometry_msgs::TransformStamped& transform) {
-  frames_.insert(bare(transform.header.frame_id));
-  frames_.insert(bare(transform.child_frame_id));
+  frames_.insert(bareFrame(transform.header.frame_id));
+  frames_.insert(bareFrame(transform.child_frame_id));
 }
 
 bool TransformSequence::knows(const std::string& frame) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return frames_.count(bare(frame)) > 0;
+  return frames_.count(bareFrame(frame)) > 0;
 }
 
 Readiness TransformSequence::passTo(const std::string& frame, const ros::Time& stamp) {

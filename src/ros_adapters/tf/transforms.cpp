@@ -26,10 +26,14 @@ geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform) 
   return message;
 }
 
+std::string bareFrame(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
 std::optional<Eigen::Isometry3d> lookUp(const tf2::BufferCore& buffer, const std::string& target,
                                         const std::string& source, const ros::Time& stamp) {
   try {
-    return fromMessage(buffer.lookupTransform(target, source, stamp).transform);
+    return fromMessage(buffer.lookupTransform(target, bareFrame(source), stamp).transform);
   } catch (const tf2::TransformException&) {
     return std::nullopt;
   }
@@ -37,9 +41,10 @@ std::optional<Eigen::Isometry3d> lookUp(const tf2::BufferCore& buffer, const std
 
 Readiness readiness(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
                     const ros::Time& stamp) {
-  if (buffer.canTransform(target, source, stamp)) return Readiness::Ready;
+  const std::string bare = bareFrame(source);
+  if (buffer.canTransform(target, bare, stamp)) return Readiness::Ready;
   try {
-    const ros::Time latest = buffer.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    const ros::Time latest = buffer.lookupTransform(target, bare, ros::Time(0)).header.stamp;
     return latest < stamp ? Readiness::NotYet : Readiness::Never;
   } catch (const tf2::TransformException&) {
     return Readiness::NotYet;

@@ -28,6 +28,7 @@ TEST(CollisionMarkers, PointFromTheTipToWhatIsHitInEachLayerAndNameTheFirst) {
   const auto markers = lamina::collisionMarkers(report, "bed").markers;
   ASSERT_EQ(markers.size(), 4U);
   for (const Marker& marker : markers) EXPECT_EQ(marker.header.frame_id, "bed");
+  for (std::size_t i = 1; i < markers.size(); ++i) EXPECT_TRUE(markers[i].frame_locked) << i;
   EXPECT_NE(markers[1].id, markers[2].id);
   EXPECT_DOUBLE_EQ(markers[1].points.at(0).z, 0.030);
   EXPECT_DOUBLE_EQ(markers[1].points.at(1).x, 0.011);

@@ -33,6 +33,7 @@ TEST(FrameMarkers, DrawXBlueYRedAndTheToolAxisGreen) {
   ASSERT_EQ(markers.size(), 4U);
   // At the first waypoint and 10 mm on; 4 mm are too near.
   for (std::size_t axis = 1; axis < 4; ++axis) EXPECT_EQ(markers[axis].points.size(), 4U);
+  for (std::size_t axis = 1; axis < 4; ++axis) EXPECT_TRUE(markers[axis].frame_locked) << axis;
   EXPECT_GT(markers[1].color.b, 0.8F);
   EXPECT_DOUBLE_EQ(markers[1].points.at(1).x, 0.003);
   EXPECT_GT(markers[2].color.r, 0.8F);

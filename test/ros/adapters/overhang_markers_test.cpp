@@ -38,6 +38,7 @@ TEST(OverhangMarkers, HoldEverySegmentInTheNamespaceOfItsKindAndEachStart) {
   for (const Marker& marker : lamina::overhangMarkers(report, "part").markers) {
     EXPECT_EQ(marker.header.frame_id, "part");
     if (marker.action != Marker::ADD) continue;
+    EXPECT_TRUE(marker.frame_locked);
     points[marker.ns] += marker.points.size();
     EXPECT_EQ(marker.id, static_cast<int>(markers[marker.ns]++)) << "unique in its namespace";
   }

@@ -18,6 +18,7 @@ TEST(RegionMarkers, ShowTheRegionOnThePartWithTheReason) {
   const auto markers = lamina::regionMarkers(refusal, "part").markers;
   ASSERT_EQ(markers.size(), 4U);
   EXPECT_EQ(markers[0].action, Marker::DELETEALL + 0);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_TRUE(markers[i].frame_locked) << i;
   EXPECT_EQ(markers[1].ns, "region");
   EXPECT_EQ(markers[1].points.size(), 6U);
   EXPECT_EQ(markers[2].ns, "part");

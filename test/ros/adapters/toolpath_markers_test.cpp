@@ -45,6 +45,7 @@ TEST(ToolpathMarkers, HoldEverySegmentOnceInTheNamespaceOfItsRole) {
     points[marker.ns] += marker.points.size();
     EXPECT_TRUE(ids.insert(marker.id).second);
     EXPECT_EQ(marker.header.frame_id, "part");
+    EXPECT_TRUE(marker.frame_locked) << "tf may say later where the part stands";
     EXPECT_LT(marker.points.size(), 50000U);
   }
   EXPECT_EQ(points.at("outer_wall"), 3U * 2U * layers);

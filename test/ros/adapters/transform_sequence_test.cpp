@@ -87,6 +87,19 @@ TEST(TransformSequence, AFrameThatNobodyNamesIsNotLookedForToTheEnd) {
   EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1002)), Readiness::Ready);
 }
 
+/// As drivers from before tf2 write them: buffers of tf2 take such a name for that of no frame at all.
+TEST(TransformSequence, AFrameMayBeNamedWithALeadingSlash) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 1010);
+  EXPECT_EQ(sequence.passTo("/sensor", ros::Time(1002.5)), Readiness::Ready);
+  const auto by_slash = lookUp(sequence.buffer(), names::kBedFrame, "/sensor", ros::Time(1002.5));
+  const auto by_name = lookUp(sequence.buffer(), names::kBedFrame, names::kSensorFrame, ros::Time(1002.5));
+  ASSERT_TRUE(by_slash && by_name);
+  EXPECT_TRUE(by_slash->isApprox(*by_name));
+  EXPECT_EQ(sequence.passTo("/sensor", ros::Time(999)), Readiness::Never);
+}
+
 TEST(TransformSequence, TransformsOfOneStampGoTogetherAndInTheOrderOfStamps) {
   TransformSequence sequence;
   for (const int second : {1002, 1000, 1001}) {

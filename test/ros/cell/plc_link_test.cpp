@@ -55,11 +55,13 @@ class LinkedCell {
 
   void startLink(const std::vector<std::string>& parameters) {
     link.reset();
-    ros::param::del(space_ + "/plc_link/listening_port");
+    port = 0;
+    ros::param::set(space_ + "/plc_link/listening_port", port);  // as a run before that was killed leaves one
     std::vector<std::string> arguments = {"__ns:=" + space_, "_modbus/port:=0"};
     arguments.insert(arguments.end(), parameters.begin(), parameters.end());
     link = std::make_unique<test::NodeProcess>(LAMINA_PLC_NODE, arguments);
-    EXPECT_TRUE(waitUntil([this] { return ros::param::get(space_ + "/plc_link/listening_port", port); }));
+    EXPECT_TRUE(waitUntil(
+        [this] { return ros::param::get(space_ + "/plc_link/listening_port", port) && port != 0; }));
   }
 
   std::string setRemoteAccess(bool is_allowed) {

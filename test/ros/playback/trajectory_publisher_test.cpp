@@ -10,6 +10,7 @@
 #include <trajectory_msgs/JointTrajectory.h>
 #include <trajectory_msgs/MultiDOFJointTrajectory.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -163,6 +164,17 @@ TEST(TrajectoryPublisher, ReportsToLateSubscribersWhereTheMachineRests) {
   const Listener late("follower");
   ASSERT_TRUE(await([&] { return late.canTransform("bed", "nozzle", rest); }));
   EXPECT_TRUE(late.transform("bed", "nozzle", rest).translation().isApprox(Point3(30.0, 40.0, 5.0), 1e-6));
+}
+
+/// tf takes one transform at a time: by stamps of 0 the machine would never be seen to move.
+TEST(TrajectoryPublisher, PassesOnNoPositionWithoutAStamp) {
+  Listener listener("follower");
+  ASSERT_TRUE(await([&] { return listener.isConnected() && listener.isFollowed(); }));
+  listener.report(Point3(10.0, 10.0, 5.0), ros::Time());
+  const ros::Time after(3000.0);
+  listener.report(Point3(30.0, 40.0, 5.0), after);
+  ASSERT_TRUE(await([&] { return std::count(listener.states.begin(), listener.states.end(), after) > 0; }));
+  EXPECT_EQ(std::count(listener.states.begin(), listener.states.end(), ros::Time()), 0);
 }
 
 TEST(TrajectoryPublisher, ThinsOutThePathOfTheNozzleToItsSpacing) {

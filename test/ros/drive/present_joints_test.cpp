@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodes/trajectory_driver/present_joints.hpp"
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include "lamina/base/error.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "names.hpp"
+#include "ros/set_time.hpp"
+#include "ros/wait_until.hpp"
+
+namespace lamina {
+namespace {
+
+/// Whether the joints were reported within half a second.
+bool areFresh(const PresentJoints& joints) {
+  try {
+    joints.fresh(0.5, 0.0);
+    return true;
+  } catch (const TimedOut&) {
+    return false;
+  }
+}
+
+TEST(PresentJoints, AreNotThoseOfBeforeRosTimeWentBack) {
+  const test::SetTime time;
+  time.set(5000.0);
+  ros::NodeHandle node;
+  const auto model = kinematicModelOf(MachineSettings());
+  const PresentJoints joints(node, *model);
+  const ros::Publisher reports = node.advertise<sensor_msgs::JointState>(names::kJointStates, 10);
+  sensor_msgs::JointState state;
+  for (const DrivenJoint& joint : model->joints()) {
+    state.name.push_back(joint.name);
+    state.position.push_back(0.1);
+  }
+  ASSERT_TRUE(test::waitUntil([&] { return reports.getNumSubscribers() > 0; }));
+  reports.publish(state);
+  ASSERT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
+  time.set(5001.0);
+  EXPECT_FALSE(areFresh(joints));
+  time.set(4000.0);
+  EXPECT_FALSE(areFresh(joints)) << "nobody has reported them since";
+  reports.publish(state);
+  EXPECT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
+}
+
+}  // namespace
+}  // namespace lamina
