@@ -143,7 +143,8 @@ TEST_F(OtherSectionTest, AHoleThatThePartDoesNotHaveIsRefused) {
   lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
   const std::string refusal = refusalOf(program);
   EXPECT_NE(refusal.find("4 of 4 layers are of another section"), std::string::npos) << refusal;
-  EXPECT_NE(refusal.find("nothing is deposited in a hole of 10 x 10 mm"), std::string::npos) << refusal;
+  // Lines 11 mm apart, whose beads are 1 + (1 - pi / 4) 0.5 = 1.107 mm wide.
+  EXPECT_NE(refusal.find("nothing is deposited in a hole of 9.893 x 9.893 mm"), std::string::npos) << refusal;
 }
 
 TEST_F(OtherSectionTest, BeadsWhereThePartHasAHoleAreRefused) {
@@ -156,9 +157,10 @@ TEST_F(OtherSectionTest, BeadsWhereThePartHasAHoleAreRefused) {
   lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
   EXPECT_EQ(refusalOf(program), "");
   lays(plateWithHole());
-  // Of the 10 mm over the hole, 1.5 mm at either end may be.
+  // Of the 10 mm over the hole, 1.5 beads at either end may be.
   const std::string refusal = refusalOf(program);
-  EXPECT_NE(refusal.find("7 mm of beads lie 1.5 mm or more outside the part"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("6.678 mm of beads lie 1.661 mm or more outside the part"), std::string::npos)
+      << refusal;
 }
 
 TEST_F(OtherSectionTest, AHoleThatIsFilledIsNone) {
