@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -100,6 +101,71 @@ TEST(InputFile, ASignalEndsTheWaitForAPipe) {
   is_over = true;
   caller.join();
   ::sigaction(SIGUSR1, &before, nullptr);
+}
+
+/// Handlers of SIGINT that only take note of it, for as long as this lives.
+class NotedInterrupts {
+ public:
+  NotedInterrupts() {
+    count_ = 0;
+    struct sigaction noted {};
+    noted.sa_handler = [](int) { count_ = count_ + 1; };
+    EXPECT_EQ(::sigaction(SIGINT, &noted, &before_), 0);
+  }
+  ~NotedInterrupts() { ::sigaction(SIGINT, &before_, nullptr); }
+  NotedInterrupts(const NotedInterrupts&) = delete;
+  NotedInterrupts& operator=(const NotedInterrupts&) = delete;
+
+  static int count() { return count_; }
+
+ private:
+  static inline volatile std::sig_atomic_t count_ = 0;
+  struct sigaction before_ {};
+};
+
+// Nothing is waited for: there is always more to read.
+TEST(InputFile, AnInterruptBetweenTwoReadsEndsTheReading) {
+  const NotedInterrupts interrupts;
+  DescriptorPipe pipe;
+  pipe.write(std::string(1000, 'x'));
+  InputFile file(pipe.path());
+  std::array<char, 10> buffer{};
+  EXPECT_EQ(file.read(buffer.data(), buffer.size()), buffer.size());
+  ::pthread_kill(::pthread_self(), SIGINT);
+  EXPECT_THROW(file.read(buffer.data(), buffer.size()), Cancelled);
+  EXPECT_EQ(interrupts.count(), 1) << "its handler runs too";
+}
+
+TEST(InputFile, AnInterruptEndsTheReadingOfARegularFileToo) {
+  const NotedInterrupts interrupts;
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("long");
+  std::ofstream(path) << std::string(1000, 'x');
+  InputFile file(path);
+  std::array<char, 10> buffer{};
+  file.read(buffer.data(), buffer.size());
+  ::pthread_kill(::pthread_self(), SIGINT);
+  EXPECT_THROW(file.read(buffer.data(), buffer.size()), Cancelled);
+}
+
+// What is done with the bytes can be interrupted as ever.
+TEST(InputFile, InterruptsComeAtOnceBehindTheEndOfTheFileAndBehindTheObject) {
+  const NotedInterrupts interrupts;
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("short");
+  std::ofstream(path) << "abcdef";
+  InputFile whole(path);
+  EXPECT_EQ(whole.readRest(), "abcdef");
+  ::pthread_kill(::pthread_self(), SIGINT);
+  EXPECT_EQ(interrupts.count(), 1);
+  {
+    InputFile begun(path);
+    char first = 0;
+    begun.read(&first, 1);
+    ::pthread_kill(::pthread_self(), SIGINT);
+    EXPECT_EQ(interrupts.count(), 1) << "held back";
+  }
+  EXPECT_EQ(interrupts.count(), 2);
 }
 
 TEST(InputFile, ReadsNoMoreThanItMay) {

@@ -194,6 +194,27 @@ class StreamResume(unittest.TestCase):
             self.assertIn(answer, said)
         self.assertEqual(self.ran(), self.lines)
 
+    def stop_while_typing(self, *typed):
+        """Types without end, and stops the job meanwhile."""
+        typing = subprocess.Popen(typed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        self.addCleanup(typing.stdout.close)
+        self.addCleanup(typing.wait)
+        self.addCleanup(typing.kill)
+        streaming = subprocess.Popen([LAMINA, "stream", self.program, "--live", *self.options()], stdout=subprocess.DEVNULL,
+                                     stdin=typing.stdout, stderr=subprocess.DEVNULL)
+        self.addCleanup(streaming.wait)
+        self.addCleanup(streaming.kill)
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["state"] == "Execute")
+        streaming.send_signal(signal.SIGINT)
+        self.assertEqual(streaming.wait(PATIENCE_S), 1)
+        self.assertEqual(self.known()["state"], "Aborted")
+
+    def test_lines_without_end_keep_no_job_from_being_stopped(self):
+        self.stop_while_typing("yes")
+
+    def test_a_line_without_end_keeps_no_job_from_being_stopped(self):
+        self.stop_while_typing("cat", "/dev/zero")
+
     def test_without_a_journal_nothing_is_kept(self):
         done = lamina("stream", self.program, "--port", self.port, "--set", "stream.journal=")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace lamina {
+
+class HeldSignals;
 
 /// Greatest size of a file of settings, of a description or of a plate [bytes].
 inline constexpr std::size_t kMostSettingsBytes = std::size_t{64} << 20;
@@ -20,7 +23,9 @@ std::size_t mostBytesInMemory(double available_bytes, std::size_t size);
 ///
 /// Only regular files are opened, so that reading neither waits for a pipe nor reads a device without end;
 /// `/dev/stdin` and `/dev/fd/N` may also be a pipe, a socket or a device. A signal that arrives while a pipe
-/// is waited for ends the wait.
+/// is waited for ends the wait. SIGINT, SIGTERM and SIGHUP end the reading, wherever the bytes come from:
+/// from the first `read` to the end of the file the thread that reads hears them in `read` only. That thread
+/// also ends the object.
 class InputFile {
  public:
   /// @throws FileError if it does not exist, cannot be read, or is not a regular file; the message states
@@ -35,7 +40,9 @@ class InputFile {
 
   /// Reads the next bytes into the buffer: `count` of them, fewer only at the end of the file.
   /// @return number of bytes read
-  /// @throws FileError if it cannot be read; Cancelled if a signal arrived while a pipe was waited for
+  /// @throws FileError if it cannot be read; Cancelled if a signal arrived since the last call, or while a
+  /// pipe
+  ///   was waited for
   std::size_t read(char* buffer, std::size_t count);
 
   /// The bytes `read_before`, which were read earlier, followed by the rest of the file. All of it may take
@@ -52,6 +59,7 @@ class InputFile {
   std::string path_;
   int descriptor_ = -1;
   std::size_t size_ = 0;
+  std::unique_ptr<const HeldSignals> held_;  ///< while the file is being read
 };
 
 /// Checks a file that another library is going to open.

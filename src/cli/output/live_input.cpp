@@ -12,11 +12,17 @@
 #include "lamina/base/error.hpp"
 
 namespace lamina::cli {
+namespace {
+
+constexpr std::size_t kMostAtOnce = 4096;  // characters
+
+}  // namespace
 
 void LiveInput::follow(StreamSession& session) {
+  // One buffer at a time: what is sent without end must not keep the caller from its other work.
+  std::array<char, kMostAtOnce> bytes{};
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  while (!is_over_ && ::poll(&input, 1, 0) > 0) {
-    std::array<char, 256> bytes{};
+  if (!is_over_ && ::poll(&input, 1, 0) > 0) {
     const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
     is_over_ = count <= 0;
     if (count > 0) typed_.append(bytes.data(), static_cast<std::size_t>(count));
@@ -26,6 +32,10 @@ void LiveInput::follow(StreamSession& session) {
     typed_.erase(0, end + 1);
     if (!line.empty()) std::fprintf(stderr, "%s: %s\n", line.c_str(), follow(session, line).c_str());
   }
+  if (typed_.size() < kMostAtOnce) return;
+  std::fprintf(stderr, "%zu characters without the end of a line: not taken; expected such as feed 90\n",
+               typed_.size());
+  typed_.clear();
 }
 
 void LiveInput::tell(const StreamSession& session) {

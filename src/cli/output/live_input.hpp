@@ -11,8 +11,8 @@ namespace lamina::cli {
 /// Commands to a job that runs, a line each on the standard input: "feed 90", "pause", "resume".
 class LiveInput {
  public:
-  /// Follows what has been typed since the last call, and says of each line whether it was taken. Does not
-  /// wait.
+  /// Follows what has been typed since the last call, up to 4096 characters of it, and says of each line
+  /// whether it was taken. Does not wait. A line of more than 4096 characters is not taken.
   void follow(StreamSession& session);
 
   /// Says what the machine has said last, once.

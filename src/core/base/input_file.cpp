@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "base/threads/held_signals.hpp"
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
 
@@ -21,6 +22,10 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, int error_number) {
   throw FileError("cannot read '" + path + "': " + std::strerror(error_number));
+}
+
+[[noreturn]] void cancel(const std::string& path) {
+  throw Cancelled("cancelled while '" + path + "' was read");
 }
 
 bool isDescriptor(const std::string& path) {
@@ -63,10 +68,15 @@ InputFile::InputFile(std::string path) : path_(std::move(path)) {
 InputFile::~InputFile() { ::close(descriptor_); }
 
 std::size_t InputFile::read(char* buffer, std::size_t count) {
+  if (!held_) held_ = std::make_unique<const HeldSignals>();
   std::size_t length = 0;
   while (length < count) {
+    if (held_->haveCome()) cancel(path_);
     const ssize_t got = ::read(descriptor_, buffer + length, count - length);
-    if (got == 0) break;
+    if (got == 0) {
+      held_.reset();
+      break;
+    }
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EAGAIN) {
       wait();
@@ -80,8 +90,8 @@ std::size_t InputFile::read(char* buffer, std::size_t count) {
 
 void InputFile::wait() const {
   pollfd waited{descriptor_, POLLIN, 0};
-  if (::poll(&waited, 1, -1) >= 0) return;
-  if (errno == EINTR) throw Cancelled("cancelled while '" + path_ + "' was read");
+  if (::ppoll(&waited, 1, nullptr, &held_->before()) >= 0) return;
+  if (errno == EINTR) cancel(path_);
   fail(path_, errno);
 }
 

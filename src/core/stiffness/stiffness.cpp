@@ -376,9 +376,11 @@ StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& s
   const Iteration reached = balance({{model.lattice, settings.material, model.element_mm}, result.given},
                                     {settings.residual, settings.iterations}, result.displacement, progress);
   if (!(reached.residual <= settings.residual))
-    throw InvalidInput("forces are balanced to " + numberText(reached.residual) + " after " +
-                       std::to_string(reached.count) + " iterations; stiffness.residual asks for " +
-                       numberText(settings.residual));
+    throw InvalidInput("forces are not in balance after " + std::to_string(reached.count) +
+                       " iterations: unbalanced are " + numberText(reached.residual) +
+                       " of those at the start; expected " + numberText(settings.residual) +
+                       " (stiffness.residual) within " + std::to_string(settings.iterations) +
+                       " (stiffness.iterations); smaller voxels need fewer");
   result.iterations = reached.count;
   result.residual = reached.residual;
   addReactions(settings.material, result);

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -88,6 +92,92 @@ TEST_F(VoidJobTest, RefusesThePartOfAnotherProgram) {
     EXPECT_NE(std::string(refusal.what()).find("4 of 4 layers are of another size"), std::string::npos)
         << refusal.what();
   }
+}
+
+/// A plate of 30 mm whose middle 10 mm are a hole.
+Mesh plateWithHole() {
+  return joined(joined(test::boxBetween({0, 0, 0}, {30, 10, 2}), test::boxBetween({0, 20, 0}, {30, 30, 2})),
+                joined(test::boxBetween({0, 5, 0}, {10, 25, 2}), test::boxBetween({20, 5, 0}, {30, 25, 2})));
+}
+
+/// An outer wall around a square whose middle is 15, 15.
+Path wallAround(double low, double high, double z_mm) {
+  Path wall;
+  wall.role = PathRole::OuterWall;
+  wall.is_closed = true;
+  wall.points = {{low, low, z_mm}, {high, low, z_mm}, {high, high, z_mm}, {low, high, z_mm}};
+  wall.bead = beadOfArea(kWidth * kHeight, kHeight);
+  wall.feed_mm_s = 10.0;
+  return wall;
+}
+
+/// Outer walls around these squares, given by where the lines begin and end, in each of four layers.
+Toolpath wallsAround(const std::vector<std::pair<double, double>>& squares) {
+  Toolpath program = linesFrom(0, 0, 4);
+  for (ToolpathLayer& layer : program.layers)
+    for (const auto& [low, high] : squares) layer.paths.push_back(wallAround(low, high, layer.z_mm));
+  return program;
+}
+
+class OtherSectionTest : public VoidJobTest {
+ protected:
+  OtherSectionTest() { job_.offset = Point2::Zero(); }
+
+  void lays(const Mesh& part) { writeStl(job_.part, part); }
+
+  /// What the refusal says; nothing if there is none.
+  std::string refusalOf(const Toolpath& program) {
+    try {
+      run(program);
+    } catch (const InvalidInput& refusal) {
+      return refusal.what();
+    }
+    return {};
+  }
+};
+
+TEST_F(OtherSectionTest, AHoleThatThePartDoesNotHaveIsRefused) {
+  const Toolpath program = wallsAround({{0.5, 29.5}, {9.5, 20.5}});
+  lays(plateWithHole());
+  EXPECT_EQ(refusalOf(program), "");
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  const std::string refusal = refusalOf(program);
+  EXPECT_NE(refusal.find("4 of 4 layers are of another section"), std::string::npos) << refusal;
+  // Lines 11 mm apart, whose beads are 1 + (1 - pi / 4) 0.5 = 1.107 mm wide.
+  EXPECT_NE(refusal.find("nothing is deposited in a hole of 9.893 x 9.893 mm"), std::string::npos) << refusal;
+}
+
+TEST_F(OtherSectionTest, BeadsWhereThePartHasAHoleAreRefused) {
+  Toolpath program = wallsAround({{0.5, 29.5}});
+  for (ToolpathLayer& layer : program.layers) {
+    Path line = linesFrom(0, 1, 1).layers[0].paths[0];
+    line.points = {{1, 15, layer.z_mm}, {29, 15, layer.z_mm}};
+    layer.paths.push_back(line);
+  }
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  EXPECT_EQ(refusalOf(program), "");
+  lays(plateWithHole());
+  // Of the 10 mm over the hole, 1.5 beads at either end may be.
+  const std::string refusal = refusalOf(program);
+  EXPECT_NE(refusal.find("6.678 mm of beads lie 1.661 mm or more outside the part"), std::string::npos)
+      << refusal;
+}
+
+TEST_F(OtherSectionTest, AHoleThatIsFilledIsNone) {
+  Toolpath program = wallsAround({{0.5, 29.5}, {9.5, 20.5}});
+  for (ToolpathLayer& layer : program.layers) {
+    Path line = linesFrom(0, 1, 1).layers[0].paths[0];
+    line.points = {{10, 15, layer.z_mm}, {20, 15, layer.z_mm}};
+    layer.paths.push_back(line);
+  }
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  EXPECT_EQ(refusalOf(program), "");
+}
+
+// As programs without roles are read: every wall is an outer one.
+TEST_F(OtherSectionTest, WallsSideBySideAroundAHollowPartAreNoHole) {
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  EXPECT_EQ(refusalOf(wallsAround({{0.5, 29.5}, {1.5, 28.5}})), "");
 }
 
 TEST_F(VoidJobTest, FindsTheLineThatIsMissing) {

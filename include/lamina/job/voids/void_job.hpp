@@ -42,8 +42,9 @@ struct PlacedContours {
 /// used. Without a part, the contour of each layer is the area that its closed outer walls enclose.
 /// @throws InvalidMesh, FileError
 /// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as those
-///   of another part or scale; if the offset is not finite, the layers are inclined, or the program's layers
-///   do not rise; if there is neither part nor outer wall
+///   of another part or scale, or what lies within them: beads outside the part, or holes without beads that
+///   the part does not have; if the offset is not finite, the layers are inclined, or the program's layers do
+///   not rise; if there is neither part nor outer wall
 /// @throws Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 

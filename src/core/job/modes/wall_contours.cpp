@@ -31,7 +31,9 @@ Regions symmetricDifference(const Regions& a, const Regions& b) {
   return unite(borders);
 }
 
-Regions contourOf(const ToolpathLayer& layer) {
+}  // namespace
+
+Regions wallContour(const ToolpathLayer& layer) {
   Regions inside;
   double width = 0.0;
   for (const Path& path : layer.paths) {
@@ -42,12 +44,10 @@ Regions contourOf(const ToolpathLayer& layer) {
   return offset(inside, 0.5 * width);
 }
 
-}  // namespace
-
 std::vector<Regions> wallContours(const Toolpath& program) {
   std::vector<Regions> contours;
   contours.reserve(program.layers.size());
-  for (const ToolpathLayer& layer : program.layers) contours.push_back(contourOf(layer));
+  for (const ToolpathLayer& layer : program.layers) contours.push_back(wallContour(layer));
   if (std::all_of(contours.begin(), contours.end(), [](const Regions& each) { return each.empty(); }))
     throw InvalidInput("'" + program.part_name +
                        "' has no closed outer wall in any layer; the part it fills must be given");

@@ -9,9 +9,12 @@
 
 namespace lamina {
 
-/// The contour of each layer, from the outer-wall loops of a program: the area inside an odd number of loops,
-/// grown by half a bead. An outer wall whose ends are within a bead width of each other counts as a loop. The
-/// contour of a layer without loops is empty.
+/// The contour of a layer from its outer-wall loops: the area inside an odd number of loops, grown by half a
+/// bead. An outer wall whose ends are within a bead width of each other counts as a loop. The contour of a
+/// layer without loops is empty.
+Regions wallContour(const ToolpathLayer& layer);
+
+/// The contour of each layer of a program.
 /// @throws InvalidInput if no layer has a loop
 std::vector<Regions> wallContours(const Toolpath& program);
 

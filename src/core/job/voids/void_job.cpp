@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "job/modes/wall_contours.hpp"
 #include "job/part/part_reading.hpp"
 #include "job/voids/part_placing.hpp"
+#include "job/voids/same_part.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -95,44 +95,6 @@ void requireFinite(const Point2& offset) {
                      " mm; must be finite");
 }
 
-// In widths of its widest bead: by how much what a layer lays may be wider or narrower than its section.
-constexpr double kMostBeads = 3.0;
-
-double widestBead(const ToolpathLayer& layer) {
-  double widest_mm = 0.0;
-  for (const Path& path : layer.paths)
-    if (isPartOfPart(path))
-      for (const Bead& bead : path.bead.values()) widest_mm = std::max(widest_mm, bead.width_mm);
-  return widest_mm;
-}
-
-/// Boxes of layers of another part differ from those of the sections in most of them.
-void requireSamePart(const Toolpath& program, const std::vector<Regions>& sections, const std::string& part) {
-  std::size_t compared = 0;
-  std::size_t other = 0;
-  std::string first;
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    const Box2 deposited = depositedBox(program.layers[i]);
-    if (deposited.isEmpty()) continue;
-    ++compared;
-    const Box2 cut = boundingBox(outlines(sections[i]));
-    const Point2 size = cut.isEmpty() ? Point2(Point2::Zero()) : Point2(cut.size());
-    if ((deposited.size() - size).cwiseAbs().maxCoeff() <= kMostBeads * widestBead(program.layers[i]))
-      continue;
-    if (other++ > 0) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "in layer %zu %.4g x %.4g mm are deposited, and the part has %.4g x %.4g mm", i,
-                  deposited.size().x(), deposited.size().y(), size.x(), size.y());
-    first = text;
-  }
-  if (2 * other <= compared) return;
-  throw InvalidInput("'" + program.part_name + "' is no program of the part '" + part +
-                     "': " + std::to_string(other) + " of " + std::to_string(compared) +
-                     " layers are of another size; expected the part that it lays, at its scale (" + first +
-                     ")");
-}
-
 std::vector<LayerVoids> missingLayers(const Toolpath& program, const SourcePart& source, const Box3& box,
                                       Progress& progress) {
   const std::vector<ToolpathLayer> lacking = layersBetween(program, box.size().z());
@@ -165,9 +127,10 @@ PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progre
   PlacedContours placed;
   placed.contours.reserve(sections.size());
   for (const Section& section : sections) placed.contours.push_back(unite(section.contours));
-  requireSamePart(program, placed.contours, job.part);
+  requireSameSize(program, placed.contours, job.part);
   placed.offset = job.offset ? *job.offset : findPlace(program, placed.contours, box, job);
   for (Regions& contour : placed.contours) contour = moved(std::move(contour), placed.offset);
+  requireSameSections(program, placed.contours, job.part);
   placed.missing = missingLayers(program, source, box, progress);
   return placed;
 }

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Checks by the bounding boxes of layers that a program lays a part: they may differ by three of a layer's
+/// widest beads.
+/// @param sections  of the part in the program's layers, anywhere in the plane
+/// @param part      its name for the message
+/// @throws InvalidInput if those of most layers differ
+void requireSameSize(const Toolpath& program, const std::vector<Regions>& sections, const std::string& part);
+
+/// Checks by what lies within their boxes, on some of the layers, that a program lays a part. A layer is of
+/// another part if beads of the part lie farther than 1.5 of its widest beads outside the section, or if its
+/// outer walls leave a hole without beads, wider than three of these, where the section has material. A
+/// program without outer walls is checked by its beads alone; layers of drops are not checked.
+/// @param sections  of the part, where the program lays them
+/// @throws InvalidInput if most of the layers are
+void requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
+                         const std::string& part);
+
+}  // namespace lamina
