@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/disk_space.hpp"
+#include "lamina/base/text.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 
@@ -56,7 +57,7 @@ HostWatchNode::HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& 
       alarms_(node.advertise<lamina_msgs::AlarmReport>(names::kAlarmReports, 100,
                                                        [this](const auto& listener) { greet(listener); })),
       state_(node.advertise<lamina_msgs::HostState>(names::kHostState, 10, true)),
-      look_(namesIn(settings.nodes), settings.watch.master_silence_s / 5.0, watch_, mutex_),
+      look_(listEntries(settings.nodes), settings.watch.master_silence_s / 5.0, watch_, mutex_),
       link_(settings, watch_, mutex_) {
   if (!addresses_.empty() && settings.bind.compare(0, 4, "127.") != 0)
     ROS_WARN_STREAM(

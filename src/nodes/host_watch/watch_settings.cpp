@@ -5,9 +5,9 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -76,19 +76,8 @@ HostWatchSettings watchOf(const HostWatchNodeSettings& settings) {
   return watch;
 }
 
-std::vector<std::string> namesIn(const std::string& list) {
-  std::vector<std::string> names;
-  std::istringstream text(list);
-  for (std::string name; std::getline(text, name, ',');) {
-    name.erase(0, name.find_first_not_of(' '));
-    name.erase(name.find_last_not_of(' ') + 1);
-    if (!name.empty()) names.push_back(name);
-  }
-  return names;
-}
-
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings) {
-  const std::vector<std::string> needed = namesIn(settings.needed);
+  const std::vector<std::string> needed = listEntries(settings.needed);
   for (const std::string& name : needed)
     if (settings.peers.count(name) == 0)
       throw InvalidConfig("hosts.needed is " + settings.needed + ", but hosts.peers has no " + name);

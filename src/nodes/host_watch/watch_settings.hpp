@@ -44,7 +44,4 @@ HostWatchSettings watchOf(const HostWatchNodeSettings& settings);
 /// @throws InvalidConfig for an address that is none, and a host that is needed and not there
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);
 
-/// The names in a list with commas between.
-std::vector<std::string> namesIn(const std::string& list);
-
 }  // namespace lamina
