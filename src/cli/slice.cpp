@@ -93,7 +93,7 @@ double perLayer(std::size_t count, std::size_t layers) {
 
 void printFill(const SliceSummary& s) {
   const FillStarts& fill = s.starts;
-  std::printf("fill        %.2f runs per layer, %.2f at least\n", perLayer(fill.runs, s.layers),
+  std::printf("fill        %.2f runs per layer, in %.2f separate areas\n", perLayer(fill.runs, s.layers),
               perLayer(fill.regions, s.layers));
   std::printf("fill travel %.2f m between runs, %.2f m in the best order found\n", fill.travel_mm / 1e3,
               fill.best_travel_mm / 1e3);
