@@ -267,7 +267,8 @@ void printText(const SliceSummary& s, const std::string& output) {
                 100.0 * s.slow_bead_share);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
               s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);
-  if (!output.empty()) std::printf("written to  %s\n", output.c_str());
+  std::printf("written to  %s\n",
+              output.empty() ? "no file: -o FILE.gcode would write the program" : output.c_str());
 }
 
 /// Draws the region of a part that cannot be sliced beside the file that is not written.

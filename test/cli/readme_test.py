@@ -70,6 +70,10 @@ class Pages(unittest.TestCase):
         for label in labels:
             self.assertRegex(page, rf"(?m)^\|.*`{label}`.*\|")
 
+    def test_slicing_without_output_says_that_nothing_is_written(self):
+        done = subprocess.run([LAMINA, "slice", "box"], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.splitlines()[-1], "written to  no file: -o FILE.gcode would write the program")
+
     def test_the_example_of_the_readme_is_the_one_that_is_compiled(self):
         (example,) = re.findall(r"```cpp\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)
         self.assertEqual(example, (SOURCE / "examples/01_slice.cpp").read_text())
