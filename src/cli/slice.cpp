@@ -93,7 +93,7 @@ double perLayer(std::size_t count, std::size_t layers) {
 
 void printFill(const SliceSummary& s) {
   const FillStarts& fill = s.starts;
-  std::printf("fill        %.2f runs per layer, %.2f at least\n", perLayer(fill.runs, s.layers),
+  std::printf("fill        %.2f runs per layer, in %.2f separate areas\n", perLayer(fill.runs, s.layers),
               perLayer(fill.regions, s.layers));
   std::printf("fill travel %.2f m between runs, %.2f m in the best order found\n", fill.travel_mm / 1e3,
               fill.best_travel_mm / 1e3);
@@ -272,7 +272,8 @@ void printText(const SliceSummary& s, const std::string& output) {
                 100.0 * s.slow_bead_share);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
               s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);
-  if (!output.empty()) std::printf("written to  %s\n", output.c_str());
+  std::printf("written to  %s\n",
+              output.empty() ? "no file: -o FILE.gcode would write the program" : output.c_str());
 }
 
 /// Draws the region of a part that cannot be sliced beside the file that is not written.

@@ -14,6 +14,19 @@ TEST(Text, LosesWhiteSpaceAtItsEndsOnly) {
   EXPECT_EQ(trimmed(""), "");
 }
 
+TEST(Text, IsWrittenInSmallLetters) {
+  EXPECT_EQ(lowerCase("RepRapFirmware 3.4 \xC4z@[`{"), "reprapfirmware 3.4 \xC4z@[`{");
+  EXPECT_EQ(lowerCase(""), "");
+}
+
+TEST(Text, IsSplitIntoTheEntriesOfAList) {
+  const std::vector<std::string> hosts = {"cell", "press 2", "plc"};
+  EXPECT_EQ(listEntries("cell, press 2 ,,\tplc,"), hosts);
+  EXPECT_EQ(listEntries("cell"), std::vector<std::string>(1, "cell"));
+  EXPECT_TRUE(listEntries(" , ").empty());
+  EXPECT_TRUE(listEntries("").empty());
+}
+
 TEST(Text, ListsNamesWithSeparatorsBetween) {
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
   EXPECT_EQ(listed({"", "b"}, " | "), " | b");

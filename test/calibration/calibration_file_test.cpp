@@ -88,11 +88,6 @@ TEST(CalibrationFile, IsOfOneMachine) {
   EXPECT_THROW(requireCalibrationOf(whole(), "irb_4600"), InvalidConfig);
 }
 
-TEST(CalibrationFile, StatesDatesInUtc) {
-  EXPECT_EQ(utcText(0), "1970-01-01T00:00:00Z");
-  EXPECT_EQ(utcText(1795435200), "2026-11-23T12:00:00Z");
-}
-
 TEST(CalibrationFile, KeepsAnyTurn) {
   EXPECT_TRUE(rc::check("roll, pitch and yaw and back", [] {
     const auto angle = [] {

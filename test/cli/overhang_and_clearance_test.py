@@ -35,6 +35,18 @@ class OverhangAndClearance(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout)
 
+    def test_bent_layers_that_the_head_runs_into_are_refused(self):
+        # Bent to 42 deg over a cone 50 mm high, which nozzle and block do not clear.
+        part = self.path("cone.stl")
+        run("part", "cone", "--set", "radius_mm=60", "--set", "top_radius_mm=2", "--set", "height_mm=52", "-o", part)
+        bent = ["--set", "slicing.mode=heightfield", "--set", "heightfield.max_slope_deg=60",
+                "--set", "slicing.layer_height_mm=1", "--set", "slicing.first_layer_height_mm=1",
+                "--set", "bead.width_mm=2", "--set", "machine.nozzle_mm=2"]
+        program = self.path("cone.gcode")
+        refused = self.reported("slice", part, *bent, "-o", program, code=1)
+        self.assertIn("is in what was deposited", refused["error"]["message"])
+        self.assertFalse(os.path.exists(program))
+
     def test_an_inclined_part_is_compared_with_the_level_one(self):
         reported = self.reported("overhang", "box", *INCLINED, *COARSE, "--set", "infill.density=1")
         self.assertAlmostEqual(reported["inclination_deg"], 45.0, places=9)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What README.md, docs/printing/commands.md and the pages on programs tell to type works: every line but those with a device, a bag or a cell and those that take minutes."""
+"""The commands in README.md, docs/printing/commands.md and the pages on programs run: all but those with a device, a bag or a cell and those that take minutes."""
 import os
 import pathlib
 import re
@@ -59,6 +59,20 @@ class Pages(unittest.TestCase):
         self.assertGreater(len(names), 10)
         for name in names:
             self.assertRegex(page, rf"(?m)^    lamina {name}\b")
+
+    def test_every_line_that_slice_prints_is_explained(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            done = subprocess.run([LAMINA, "slice", "cone", "-o", f"{scratch}/cone.gcode"], capture_output=True, text=True, check=True)
+        labels = {line[:12].strip() for line in done.stdout.splitlines()}
+        self.assertIn("repositions", labels)
+        self.assertGreater(len(labels), 8)
+        page = (SOURCE / "docs/printing/commands.md").read_text()
+        for label in labels:
+            self.assertRegex(page, rf"(?m)^\|.*`{label}`.*\|")
+
+    def test_slicing_without_output_says_that_nothing_is_written(self):
+        done = subprocess.run([LAMINA, "slice", "box"], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.splitlines()[-1], "written to  no file: -o FILE.gcode would write the program")
 
     def test_the_example_of_the_readme_is_the_one_that_is_compiled(self):
         (example,) = re.findall(r"```cpp\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)

@@ -101,7 +101,7 @@ class Skins(unittest.TestCase):
         alone = ["--set", "cooling.least_layer_time_s=60", "--set", "cooling.interval=place"]
         self.assertIn("cooling.by", lamina("slice", "box", *alone).stderr)
         notes = reported("slice", "box", *alone, "--set", "cooling.by=dwell")["notes"]
-        self.assertTrue(any("are waited for" in note for note in notes), notes)
+        self.assertTrue(any("end with a dwell" in note for note in notes), notes)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,13 @@ TEST(SpaceVectors, MeasureAnglesOfDirectionsOfAnyLength) {
   EXPECT_EQ(angleBetween({1.0, 1.0, 0.0}, Point3::Zero()), 0.0);
 }
 
+TEST(SpaceVectors, TurnByTheirLength) {
+  const Point3 turned = turnBy({0.0, 0.0, M_PI / 2.0}) * Point3::UnitX();
+  EXPECT_LT((turned - Point3::UnitY()).norm(), 1e-15);
+  EXPECT_DOUBLE_EQ(turnBy({0.0, 3.0, 4.0}).angle(), 5.0);
+  EXPECT_EQ(turnBy(Point3::Zero()).toRotationMatrix(), Eigen::Matrix3d::Identity());
+}
+
 TEST(SpaceVectors, MeasureHowFarAWayIs) {
   const Point3 from(0.0, 0.0, 0.0);
   const Point3 to(4.0, 0.0, 0.0);

@@ -66,7 +66,15 @@ TEST(MachineCheck, NamesEachWaypointOfAClosedPathOnce) {
     EXPECT_EQ(check.faults[w].what, "out_of_limits");
   }
   EXPECT_TRUE(check.faults[0].tip.isApprox(Point3(0, 0, 0.2)));
-  EXPECT_NE(refusal(check, "five_axis_head_ac").find("cannot run 4 waypoints and collides at 0"),
+  EXPECT_NE(refusal(check, "five_axis_head_ac").find("five_axis_head_ac cannot run 4 waypoints)"),
+            std::string::npos);
+  MachineCheck colliding = check;
+  colliding.collisions = {check.faults[0]};
+  EXPECT_NE(
+      refusal(colliding, "five_axis_head_ac").find(" cannot run 4 waypoints and collides at 1 waypoint)"),
+      std::string::npos);
+  colliding.faults.clear();
+  EXPECT_NE(refusal(colliding, "five_axis_head_ac").find("five_axis_head_ac collides at 1 waypoint)"),
             std::string::npos);
 }
 

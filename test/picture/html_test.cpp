@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "picture/html.hpp"
+#include "lamina/picture/html.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -94,7 +94,11 @@ TEST(ScanPass, JoinsALayerThatStartsWithoutATravel) {
   second.z_mm = 0.4;
   second.paths = {bead({10, 10, 0.2}, {0, 0, 0.4})};
   toolpath.layers.push_back(second);
-  EXPECT_NO_THROW(validate(withScanPasses(toolpath, every(1), kOffset)));
+  const Toolpath scanned = withScanPasses(toolpath, every(1), kOffset);
+  EXPECT_NO_THROW(validate(scanned));
+  for (const ToolpathLayer& layer : scanned.layers) EXPECT_TRUE(isScanned(layer, 1.0)) << layer.z_mm;
+  EXPECT_EQ(scanned.layers[0].paths.back().lastPoint(), Point3(10.0, 10.0, 0.2));
+  EXPECT_EQ(scanned.layers[1].paths.front().role, PathRole::Infill);
 }
 
 TEST(ScanPass, EmptyLayersAreSkipped) {

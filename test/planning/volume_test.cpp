@@ -52,7 +52,7 @@ TEST(DepositedVolume, OfInfillFollowsTheDensityPlusTheLinksOverHalfTheOutline) {
   }
 }
 
-/// Two walls from either side leave slots of 0.13 to 0.33 mm, over which no line of a sparse infill leads.
+/// Two walls from either side leave gaps of 0.13 to 0.33 mm, over which no line of a sparse infill leads.
 TEST(DepositedVolume, OfAThinRingIsSolidForASparseInfill) {
   PlanSettings settings;
   settings.skirt.count = 0;

@@ -76,6 +76,7 @@ TEST(FilledShapeTest, StaysInsideItsOutline) {
     settings.perimeters = 1;
     const Toolpath toolpath = makeScaffold("cylinder", settings);
     const double pitch = planWidth({0.48, 0.3});
+    ASSERT_FALSE(toolpath.layers.empty());
     for (const ToolpathLayer& layer : toolpath.layers)
       for (const Path& path : layer.paths) {
         if (path.role == PathRole::Travel) continue;

@@ -12,6 +12,12 @@ namespace lamina {
 /// The text without white space at its ends; the same in every locale.
 std::string_view trimmed(std::string_view text);
 
+/// The text with its ASCII letters small; the same in every locale.
+std::string lowerCase(std::string_view text);
+
+/// The entries of a list with commas between them, without white space at their ends and without empty ones.
+std::vector<std::string> listEntries(std::string_view list);
+
 /// The names joined by the separator; empty if there are none.
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 

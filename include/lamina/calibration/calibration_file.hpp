@@ -77,8 +77,4 @@ void writeCalibration(const std::string& path, const Calibration& calibration);
 /// @throws InvalidConfig naming both machines if it does not
 void requireCalibrationOf(const Calibration& calibration, const std::string& machine);
 
-/// A time as files state it: "2026-11-23T12:00:00Z".
-/// @param seconds  since 1970
-std::string utcText(long long seconds);
-
 }  // namespace lamina

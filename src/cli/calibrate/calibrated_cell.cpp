@@ -11,6 +11,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/base/scratch_folder.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/base/utc_time.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,8 +9,10 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/utc_time.hpp"
 #include "lamina/cell/packml_model.hpp"
 #include "lamina/journal/part_record.hpp"
+#include "lamina/picture/html.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -30,12 +30,7 @@ struct RecordArguments {
 
 std::string utc(const Json& time_s) {
   if (!time_s.is_number()) return "";
-  const auto whole = static_cast<std::time_t>(time_s.get<double>());
-  std::tm parts{};
-  gmtime_r(&whole, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
-  return text.data();
+  return utcText(time_s.get<double>(), "%Y-%m-%d %H:%M:%S");
 }
 
 std::string plain(const Json& value) {
@@ -127,38 +122,25 @@ std::vector<RecordTable> tablesOf(const Json& record, const std::string& layers_
   return tables;
 }
 
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char byte : text) {
-    if (byte == '<')
-      html += "&lt;";
-    else if (byte == '&')
-      html += "&amp;";
-    else
-      html += byte;
-  }
-  return html;
-}
-
 std::string page(const std::vector<RecordTable>& tables, const std::vector<std::string>& faults) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                     escaped(tables.front().title) +
+                     escapedHtml(tables.front().title) +
                      "</title>\n<style>body{font:10pt "
                      "sans-serif;margin:1.5em}table{border-collapse:collapse;margin-bottom:1.5em}"
                      "th,td{border:1px solid #888;padding:2px 6px;text-align:left;overflow-wrap:anywhere}"
                      "tr{break-inside:avoid}</style></head><body>\n";
   html += faults.empty() ? "<p>All digests are right.</p>\n"
                          : "<p><strong>Not to be believed:</strong></p>\n<ul>\n";
-  for (const std::string& fault : faults) html += "<li>" + escaped(fault) + "</li>\n";
+  for (const std::string& fault : faults) html += "<li>" + escapedHtml(fault) + "</li>\n";
   if (!faults.empty()) html += "</ul>\n";
   for (const RecordTable& table : tables) {
     if (table.rows.size() < 2) continue;
-    html += "<h2>" + escaped(table.title) + "</h2>\n<table>\n";
+    html += "<h2>" + escapedHtml(table.title) + "</h2>\n<table>\n";
     const char* cell = "th";
     for (const auto& row : table.rows) {
       html += "<tr>";
       for (const std::string& text : row)
-        html += std::string("<") + cell + '>' + escaped(text) + "</" + cell + '>';
+        html += std::string("<") + cell + '>' + escapedHtml(text) + "</" + cell + '>';
       html += "</tr>\n";
       cell = "td";
     }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -52,11 +51,7 @@ void addOne(const TokenArguments& arguments) {
 
 std::string dayOf(const std::optional<double>& utc_s) {
   if (!utc_s) return "never";
-  const auto seconds = static_cast<std::time_t>(*utc_s);
-  char text[32];
-  std::tm parts{};
-  std::strftime(text, sizeof text, "%Y-%m-%d", gmtime_r(&seconds, &parts));
-  return text;
+  return utcText(*utc_s, "%Y-%m-%d");
 }
 
 void list(const TokenArguments& arguments) {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/base/text.hpp"
 
+#include <algorithm>
 #include <sstream>
+
+#include "lamina/base/characters.hpp"
 
 namespace lamina {
 namespace {
@@ -15,6 +18,23 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kSpace);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string small(text);
+  for (char& letter : small) letter = lower(letter);
+  return small;
+}
+
+std::vector<std::string> listEntries(std::string_view list) {
+  std::vector<std::string> entries;
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string_view entry = trimmed(list.substr(0, comma));
+    if (!entry.empty()) entries.emplace_back(entry);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return entries;
 }
 
 std::string listed(const std::vector<std::string>& names, std::string_view separator) {

@@ -3,9 +3,7 @@
 #include "lamina/calibration/calibration_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <set>
 
 #include "lamina/base/angle.hpp"
@@ -197,15 +195,6 @@ void requireCalibrationOf(const Calibration& calibration, const std::string& mac
   if (calibration.machine != machine)
     throw InvalidConfig("the calibration is that of machine '" + calibration.machine +
                         "'; expected that of '" + machine + "'");
-}
-
-std::string utcText(long long seconds) {
-  const std::time_t time = seconds;
-  std::tm parts{};
-  ::gmtime_r(&time, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text.data();
 }
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 
 #include "base/dense_solvers.hpp"
 #include "cross_crests.hpp"
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/calibration/sensor_pose.hpp"
@@ -57,10 +58,7 @@ struct PoseProblem {
 Eigen::Isometry3d moved(const Eigen::Isometry3d& about, const Pose& by) {
   Eigen::Isometry3d pose = about;
   pose.translation() += by.head<3>();
-  const double angle = by.tail<3>().norm();
-  if (angle > 0.0)
-    pose.linear() =
-        Eigen::AngleAxisd(angle, Eigen::Vector3d(by.tail<3>() / angle)).toRotationMatrix() * about.linear();
+  pose.linear() = turnBy(by.tail<3>()).toRotationMatrix() * about.linear();
   return pose;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "target_model.hpp"
+#include "geometry/space_vectors.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <array>
@@ -12,12 +13,6 @@ namespace {
 constexpr double kShiftStep = 1e-4;   // mm
 constexpr double kTurnStep = 1e-6;    // rad
 constexpr double kClearOfBead = 1.5;  // widths from a bead's line from which on there is bed
-
-Eigen::Matrix3d smallTurn(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  if (angle == 0.0) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
 
 /// The bed, but for what lies near beads.
 class BedModel final : public SurfaceModel {
@@ -62,7 +57,7 @@ class PlaneModel final : public SurfaceModel {
   Eigen::VectorXd steps() const override { return Eigen::Vector3d(kTurnStep, kTurnStep, kShiftStep); }
   int faceOf(const Point3&, const Eigen::VectorXd&) const override { return 0; }
   double distance(int, const Point3& point, const Eigen::VectorXd& unknowns) const override {
-    const Eigen::Vector3d normal = axes_ * (smallTurn({unknowns[0], unknowns[1], 0.0}).col(2));
+    const Eigen::Vector3d normal = axes_ * turnBy({unknowns[0], unknowns[1], 0.0}).toRotationMatrix().col(2);
     return normal.dot(point - middle_) - unknowns[2];
   }
 
@@ -109,7 +104,7 @@ class PyramidModel final : public SurfaceModel {
     for (std::size_t i = 0; i < shifts_.size(); ++i)
       shift[shifts_[i]] = unknowns[3 + static_cast<Eigen::Index>(i)];
     const Point3 standing = target_.bed_from_pyramid.inverse() * Point3(point - shift);
-    return smallTurn(unknowns.head<3>()).transpose() * standing;
+    return turnBy(unknowns.head<3>()).toRotationMatrix().transpose() * standing;
   }
   /// Above a face along z.
   double heightOver(int face, const Point3& at) const {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/platform/rus_workspace.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
@@ -28,9 +29,7 @@ Point3 rotationVector(const Eigen::Quaterniond& rotation) {
 }
 
 Eigen::Quaterniond turnedBy(const Point3& turn, const Eigen::Quaterniond& held) {
-  const double angle = turn.norm();
-  if (angle == 0.0) return held;
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle)) * held;
+  return Eigen::Quaterniond(turnBy(turn)) * held;
 }
 
 CrankAngles twistOf(const Point3& velocity, const Point3& turn) {

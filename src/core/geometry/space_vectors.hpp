@@ -15,6 +15,14 @@ inline double angleBetween(const Point3& a, const Point3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/// The rotation of a rotation vector: about it, by its length [rad]. That of no length leaves all exactly as
+/// it is.
+inline Eigen::AngleAxisd turnBy(const Point3& rotation_vector) {
+  const double angle = rotation_vector.norm();
+  if (angle == 0.0) return {0.0, Point3::UnitZ()};
+  return {angle, rotation_vector / angle};
+}
+
 /// Distance of a point from the segment from a to b.
 inline double distanceToSegment(const Point3& point, const Point3& a, const Point3& b) {
   const Point3 along = b - a;

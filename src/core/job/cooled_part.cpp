@@ -73,7 +73,7 @@ void giveTimes(SlicedPart& sliced, CoolingSettings cooling, const JobSite& site,
   if (summary.dwells > 0) {
     const bool are_places = cooling.interval == CoolingInterval::Place;
     char waiting[160];
-    std::snprintf(waiting, sizeof waiting, "%zu %s are waited for, %.1f s in all%s", summary.dwells,
+    std::snprintf(waiting, sizeof waiting, "%zu %s end with a dwell, %.1f s in all%s", summary.dwells,
                   are_places ? "islands of layers" : "layers", summary.dwell_s,
                   has_room ? "" : ", over where they end: cooling.park is out of the machine's reach");
     sliced.summary.notes.emplace_back(waiting);

@@ -10,6 +10,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
@@ -138,9 +139,14 @@ SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& 
 void requireClear(const MachineCheck& check, const KinematicModel& model) {
   if (check.isClear()) return;
   const Finding& first = check.faults.empty() ? check.collisions.front() : check.faults.front();
-  throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + model.name() +
-                    " cannot run " + std::to_string(check.faults.size()) + " waypoints and collides at " +
-                    std::to_string(check.collisions.size()) + ")");
+  const auto counted = [](std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " waypoint" : " waypoints");
+  };
+  std::vector<std::string> found;
+  if (!check.faults.empty()) found.push_back("cannot run " + counted(check.faults.size()));
+  if (!check.collisions.empty()) found.push_back("collides at " + counted(check.collisions.size()));
+  throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + model.name() + " " +
+                    listed(found, " and ") + ")");
 }
 
 }  // namespace lamina

@@ -3,13 +3,12 @@
 #include "lamina/journal/journal_copies.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <vector>
 
 #include "journal/database.hpp"
+#include "lamina/base/utc_time.hpp"
 
 namespace lamina {
 namespace {
@@ -36,12 +35,8 @@ std::vector<std::filesystem::path> copiesIn(const std::filesystem::path& folder)
 std::string copyDue(const std::string& folder, double utc_s, const JournalCopySettings& settings) {
   if (settings.hour < 0) return "";
   // A day lasts from its hour to the same hour of the next one.
-  const auto day = static_cast<std::time_t>(std::floor(utc_s)) - std::time_t{settings.hour} * 3600;
-  std::tm parts{};
-  gmtime_r(&day, &parts);
-  std::array<char, 32> date{};
-  std::strftime(date.data(), date.size(), "%Y-%m-%d", &parts);
-  const std::string name = std::string(kCopies) + '/' + kPrefix + date.data() + ".db";
+  const std::string day = utcText(utc_s - 3600.0 * settings.hour, "%Y-%m-%d");
+  const std::string name = std::string(kCopies) + '/' + kPrefix + day + ".db";
   // Where nobody may look, the copy is due, and says why it cannot be made.
   std::error_code error;
   return std::filesystem::exists(std::filesystem::path(folder) / name, error) ? "" : name;

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geometry/mesh/border_loops.hpp"
+#include "geometry/space_vectors.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/parameterization/geodesic.hpp"
 
@@ -97,7 +98,7 @@ std::vector<double> missingAngles(const Mesh& mesh, const MeshTopology& topology
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3 ab = mesh.vertices[corner[(i + 1) % 3]] - mesh.vertices[corner[i]];
       const Point3 ac = mesh.vertices[corner[(i + 2) % 3]] - mesh.vertices[corner[i]];
-      missing[corner[i]] -= std::atan2(ab.cross(ac).norm(), ab.dot(ac));
+      missing[corner[i]] -= angleBetween(ab, ac);
     }
   std::vector<bool> is_border(missing.size(), false);
   for (HalfEdge side = 0; side < topology.opposite.size(); ++side)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parameterization/net_curvature.hpp"
+#include "geometry/space_vectors.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -13,7 +14,7 @@ double angleAt(const Mesh& mesh, HalfEdge corner) {
   const Point3& at = mesh.vertices[originOf(mesh, corner)];
   const Point3 one = mesh.vertices[originOf(mesh, nextInTriangle(corner))] - at;
   const Point3 other = mesh.vertices[originOf(mesh, previousInTriangle(corner))] - at;
-  return std::atan2(one.cross(other).norm(), one.dot(other));
+  return angleBetween(one, other);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 
 #include "geometry/polygon/inside.hpp"
 #include "geometry/polygon/region_lists.hpp"
-#include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/layer_error.hpp"
@@ -24,6 +23,7 @@
 #include "planning/bridges/layer_below.hpp"
 #include "planning/bridges/lines_below.hpp"
 #include "planning/deposited_runs.hpp"
+#include "planning/layer_fill.hpp"
 #include "planning/modifiers/island_pieces.hpp"
 #include "planning/modifiers/run_clipping.hpp"
 #include "planning/order/anchored_run.hpp"
@@ -37,7 +37,6 @@
 #include "planning/seams/seam.hpp"
 #include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
-#include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
 #include "planning/walls/walls.hpp"
@@ -71,16 +70,15 @@ class LayerPlanner {
         branches_(stacked.branches),
         group_(stacked.group),
         aids_(stacked.aids),
-        below_(*stacked.layer, stacked.cover, context.bed, context.settings, index) {
+        below_(*stacked.layer, stacked.cover, context.bed, context.settings, index),
+        fill_(context, index, stacked.layer->bounds.height()),
+        pitch_(fill_.pitch()) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
       support_test_.emplace(layer, BelowLayer{stacked.below, stacked.supports}, *context.bed,
                             Bead{settings_.bead.width_mm, layer.bounds.height()});
     result_.z_mm = layer.bounds.top_mm;
     result_.height_mm = layer.bounds.height();
-    beads_ = beadsByRole(settings_, result_.height_mm);
-    pitch_ = beads_.walls.pitch_mm;
-    infill_ = infillSpacing(settings_.infill, beads_.infill.pitch_mm, {index, context.layer_count});
   }
 
   /// Once only.
@@ -90,7 +88,7 @@ class LayerPlanner {
     setMaterial(material);
     if (aids_ != nullptr)
       for (const AidRuns& aids : *aids_) addAids(aids);
-    if (depositsDrops()) requireFewDrops(material, settings_.fill.drops);
+    if (fill_.depositsDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<Polygon> islands;
     for (const Region& island : material) islands.push_back(seam_.placed(island.outer));
     for (const OrderedRun& next : orderRuns(endsOf(islands), nozzle_)) {
@@ -102,7 +100,7 @@ class LayerPlanner {
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
     }
     is_in_island_ = false;
-    if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
+    if (settings_.voids.refill == VoidRefill::Beads && fill_.isFilledByBeads()) refillVoids(material);
     iron();
     return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0, bridging_};
   }
@@ -113,37 +111,13 @@ class LayerPlanner {
   }
 
  private:
-  bool depositsDrops() const { return context_.strategy.deposit == Deposit::Drops; }
-  /// A vase is hollow.
-  bool isFilledByBeads() const { return !depositsDrops() && context_.strategy.link != LayerLink::Rising; }
-
-  /// A sparse fill runs into the walls rather than ending at them.
-  WallContact contact() const {
-    const WallContact contact = context_.strategy.contact;
-    if (fitsInfillAlone()) return WallContact::Beside;
-    return contact == WallContact::Fitted && !isSolid(infill_) ? WallContact::Overlapping : contact;
-  }
-
-  /// Beads of another width than those of the walls do not go on from these.
-  bool fitsInfillAlone() const {
-    return isSolid(infill_) && context_.strategy.contact == WallContact::Fitted &&
-           beads_.infill.pitch_mm != pitch_;
-  }
-
-  /// By which the infill reaches into the walls [mm].
-  double overlap() const {
-    return contact() == WallContact::Overlapping ? settings_.infill.wall_overlap * settings_.bead.width_mm
-                                                 : 0.0;
-  }
-
   bool takesSkins() const {
-    return cover_ != nullptr && hasSkins(settings_.skins) &&
-           (!isSolid(infill_) || context_.strategy.contact == WallContact::Fitted);
+    return cover_ != nullptr && hasSkins(settings_.skins) && (!fill_.isSolid() || fill_.isFitted());
   }
 
   /// @param spans  whether something of the island lies over a gap
   bool needsSkins(bool spans) const {
-    return (takesSkins() && !cover_->isCovered()) || (spans && !isSolid(infill_));
+    return (takesSkins() && !cover_->isCovered()) || (spans && !fill_.isSolid());
   }
 
   /// @param material  of the layer; must outlive this
@@ -154,7 +128,7 @@ class LayerPlanner {
 
   /// @return area [mm²] that gets no bead
   double addIsland(const Region& island) {
-    if (depositsDrops()) {
+    if (fill_.depositsDrops()) {
       addInfill({island});
       return 0.0;
     }
@@ -171,22 +145,21 @@ class LayerPlanner {
     }
     const bool spans = below_.leavesGaps({island});
     bool has_skins = needsSkins(spans);
-    Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
-    if (takesSkins() && !has_skins && !isSolid(infill_) &&
+    Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : fill_.contact());
+    if (takesSkins() && !has_skins && !fill_.isSolid() &&
         hasSmall(walls.infill, settings_.skins.least_infill_mm2)) {
       has_skins = true;
       walls = makeWalls({island}, settings_, pitch_, WallContact::Beside);
     }
     addWalls(walls);
     if (spans) walls.infill = addBridges(below_.bridged(walls.infill, pitch_));
-    if (has_skins && bridgesInfill() && infill_.spacing_mm == 0.0)
-      walls.infill = addBridgesOverHollow(walls.infill);
+    if (has_skins && bridgesInfill() && fill_.isNone()) walls.infill = addBridgesOverHollow(walls.infill);
     const std::size_t before = result_.paths.size();
     if (has_skins)
       addSkinsAndInfill(walls.infill);
     else
       addInfillAlone(walls.infill, std::move(walls.narrow_infill));
-    return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, result_.paths, before) : 0.0);
+    return walls.unprinted_mm2 + (fill_.isSolid() ? areaMissed(walls.infill, result_.paths, before) : 0.0);
   }
 
   /// Lays what spans a gap within walls, and what hangs over one.
@@ -298,7 +271,7 @@ class LayerPlanner {
   /// Walls beyond the first so many, where they run through the piece.
   void addInnerWalls(const Region& island, const Regions& piece, std::size_t first) {
     if (static_cast<std::size_t>(settings_.walls.count) <= first) return;
-    Walls walls = makeWalls({island}, settings_, pitch_, contact());
+    Walls walls = makeWalls({island}, settings_, pitch_, fill_.contact());
     std::vector<FillPath> whole;
     for (std::size_t k = first; k < walls.walls.size(); ++k) {
       for (FillPath& thin : walls.walls[k].thin) whole.push_back(std::move(thin));
@@ -313,8 +286,8 @@ class LayerPlanner {
   void fillPiece(const Region& island, const Regions& piece) {
     const bool spans = below_.leavesGaps({island});
     const bool has_skins = needsSkins(spans);
-    const double overlap_mm = has_skins ? 0.0 : overlap();
-    Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
+    const double overlap_mm = has_skins ? 0.0 : fill_.overlap();
+    Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : fill_.contact());
     Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
     if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
@@ -326,21 +299,20 @@ class LayerPlanner {
   /// Inside walls.
   /// @param narrow  runs where the infill has no room
   void addInfillAlone(const Regions& inside, std::vector<FillPath> narrow) {
-    const Regions open = closeSlots(inside, inside, overlap());
+    const Regions open = fillNarrowGaps(inside, inside, fill_.overlap());
     const std::size_t before = result_.paths.size();
-    if (infill_.spacing_mm > 0.0) addInfill(infillArea(open));
+    if (!fill_.isNone()) addInfill(fill_.area(open));
     keepSeen(inside);
     starts_ += startsOf(open, fillsSince(result_.paths, before), pitch_);
     addFills(std::move(narrow), {});
-    if (!isSolid(infill_)) appendTo(sparse_, inside);
+    if (!fill_.isSolid()) appendTo(sparse_, inside);
   }
 
-  /// Lays beads in slots between walls, where a sparse fill would lay nothing.
+  /// Lays beads in narrow gaps between walls, where a sparse fill would lay nothing.
   /// @return the rest of what is sparse
-  Regions closeSlots(const Regions& inside, Regions sparse, double overlap_mm) {
-    if (isSolid(infill_) || infill_.spacing_mm == 0.0 || context_.strategy.contact != WallContact::Fitted)
-      return sparse;
-    FittedArea parts = withoutSlots(inside, std::move(sparse), overlap_mm, settings_, pitch_);
+  Regions fillNarrowGaps(const Regions& inside, Regions sparse, double overlap_mm) {
+    if (fill_.isSolid() || fill_.isNone() || !fill_.isFitted()) return sparse;
+    FittedArea parts = withoutNarrowGaps(inside, std::move(sparse), overlap_mm, settings_, pitch_);
     addFills(std::move(parts.narrow), {});
     return std::move(parts.wide);
   }
@@ -350,33 +322,30 @@ class LayerPlanner {
   /// @param inside  walls
   void addSkinsAndInfill(const Regions& inside) {
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
-    if (!areas.sparse.empty()) areas.sparse = closeSlots(inside, std::move(areas.sparse), 0.0);
+    if (!areas.sparse.empty()) areas.sparse = fillNarrowGaps(inside, std::move(areas.sparse), 0.0);
     const std::size_t before = result_.paths.size();
     const auto lay = [&](const Regions& area, PathRole role) {
-      if (!isSolid(infill_)) return addSkin(area, role);
-      InfillRequest request = infillRequest();
-      if (beads_.of(role).pitch_mm != beads_.infill.pitch_mm)
-        request.pitch_mm = request.spacing_mm = beads_.of(role).pitch_mm;
-      addFitted(area, role, std::move(request), context_.strategy);
+      if (!fill_.isSolid()) return addSkin(area, role);
+      addSolid(area, role, fill_.requestAs(role, infillRequest()), context_.strategy);
     };
     areas.skin = withoutLowest(std::move(areas.skin), inside);
     lay(areas.bottom_skin, PathRole::BottomSkin);
     lay(areas.skin, PathRole::Skin);
     addSkin(areas.thickening, PathRole::InnerWall);
-    if (isSolid(infill_))
+    if (fill_.isSolid())
       lay(areas.sparse, PathRole::Infill);
-    else if (infill_.spacing_mm > 0.0 && !areas.sparse.empty())
-      addInfill(infillArea(overlap() > 0.0 ? offset(areas.sparse, overlap()) : areas.sparse));
+    else if (!fill_.isNone() && !areas.sparse.empty())
+      addInfill(fill_.area(fill_.overlap() > 0.0 ? offset(areas.sparse, fill_.overlap()) : areas.sparse));
     travels_.addSeen(areas.top_skin);
     lay(areas.top_skin, PathRole::TopSkin);
     if (settings_.ironing.is_used) appendTo(seen_, areas.top_skin);
     starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
-    if (!isSolid(infill_)) appendTo(sparse_, areas.sparse);
+    if (!fill_.isSolid()) appendTo(sparse_, areas.sparse);
   }
 
   /// The other skins; lays the lowest over a sparse infill across its lines, if that is asked for.
   Regions withoutLowest(Regions skin, const Regions& inside) {
-    if (!bridgesInfill() || infill_.spacing_mm == 0.0 || isSolid(infill_)) return skin;
+    if (!bridgesInfill() || fill_.isNone() || fill_.isSolid()) return skin;
     const SkinAreas areas_below = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
     const Regions lowest = intersection(skin, areas_below.sparse);
     if (lowest.empty()) return skin;
@@ -394,37 +363,19 @@ class LayerPlanner {
 
   /// @param turn_deg  against the first layer's skins
   void addSkin(const Regions& area, PathRole role, double turn_deg) {
-    InfillRequest request = infillRequest();
-    request.pitch_mm = request.spacing_mm = beads_.skins.pitch_mm;
-    request.angle_rad = toRadians(settings_.skins.angle_deg + turn_deg);
-    request.turn_rad = toRadians(turn_deg);
-    addFitted(area, role, std::move(request), context_.skin_strategy);
+    addSolid(area, role, fill_.skinRequest(infillRequest(), turn_deg), context_.skin_strategy);
   }
 
-  /// Solid, up to the border of the area.
-  void addFitted(const Regions& area, PathRole role, InfillRequest request, const InfillStrategy& strategy) {
-    if (area.empty()) return;
-    FittedArea parts{area, {}};
-    if (strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, beads_.of(role).pitch_mm);
-    const bool goes_one_way = laysInOneSense(settings_.skins, role);
-    if (goes_one_way) request.advance = LineAdvance::OneSense;
-    std::vector<FillPath> fills;
-    if (!parts.wide.empty()) fills = strategy.fill(parts.wide, request);
-    for (FillPath& fill : fills) {
-      fill.role = role;
-      for (double& width : fill.width_mm) width *= beads_.of(role).pitch_mm / request.pitch_mm;
-      if (role != PathRole::Infill) fill = withoutShortMotions(std::move(fill), settings_.bead.width_mm);
-    }
-    for (FillPath& narrow : parts.narrow) narrow.role = role;
-    if (goes_one_way)
-      for (const FillPath& fill : std::exchange(fills, {})) addFill(fill, area);
-    std::move(parts.narrow.begin(), parts.narrow.end(), std::back_inserter(fills));
-    addFills(std::move(fills), area);
+  /// Up to the border of the area.
+  void addSolid(const Regions& area, PathRole role, InfillRequest request, const InfillStrategy& strategy) {
+    SolidRuns runs = fill_.solid(area, role, std::move(request), strategy);
+    for (const FillPath& run : runs.in_turn) addFill(run, area);
+    addFills(std::move(runs.any_order), area);
   }
 
   /// A solid infill that is seen is ironed as a skin is.
   void keepSeen(const Regions& inside) {
-    if (!settings_.ironing.is_used || cover_ == nullptr || !isSolid(infill_)) return;
+    if (!settings_.ironing.is_used || cover_ == nullptr || !fill_.isSolid()) return;
     appendTo(seen_, skinAreas(inside, *cover_, skinMeasures(settings_, pitch_)).top_skin);
   }
 
@@ -448,17 +399,10 @@ class LayerPlanner {
       addLoop(seam_.approached(std::move(loops[next.run]), nozzle_), role);
   }
 
-  /// Without walls the outermost lines lie as for beads that fill their pitch: the part would grow or shrink.
-  Regions infillArea(const Regions& inside) const {
-    const double beyond = infill_.pitch_mm - beads_.infill.pitch_mm;
-    if (settings_.walls.count > 0 || beyond == 0.0) return inside;
-    return offset(inside, 0.5 * beyond);
-  }
-
   /// That of a group of layers is deposited in the last of them, as in one high layer.
   void addInfill(const Regions& area) {
-    if (fitsInfillAlone()) return addFitted(area, PathRole::Infill, infillRequest(), context_.strategy);
-    if (group_ == nullptr || isSolid(infill_)) return layInfill(area);
+    if (fill_.isFittedAlone()) return addSolid(area, PathRole::Infill, infillRequest(), context_.strategy);
+    if (group_ == nullptr || fill_.isSolid()) return layInfill(area);
     const GroupedInfill parts = groupedInfill(area, *group_, settings_.bead.width_mm);
     layInfill(parts.alone);
     if (parts.together.empty()) return;
@@ -471,14 +415,7 @@ class LayerPlanner {
   }
 
   void layInfill(const Regions& area) {
-    if (area.empty()) return;
-    const SmoothingSettings& smoothing = settings_.fill.smoothing;
-    std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
-    for (FillPath& fill : fills) {
-      fill = simplified(smoothed(std::move(fill), smoothing), smoothing.tolerance_mm);
-      for (double& width : fill.width_mm) width *= beads_.infill.pitch_mm / infill_.pitch_mm;
-    }
-    addFills(std::move(fills), area, context_.strategy.order);
+    addFills(fill_.infill(area, infillRequest()), area, context_.strategy.order);
   }
 
   /// @param area  over which travels need not be retracted
@@ -490,14 +427,14 @@ class LayerPlanner {
   void refillVoids(const Regions& material) {
     if (do_sparse_overlap_) sparse_ = unite(outlines(sparse_));
     const RefillSettings settings{settings_.voids.least_area};
-    const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
+    const Regions solid = fill_.isSolid() && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addFills(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);
     refilling_ = refillingSince(result_.paths, before);
   }
 
   InfillRequest infillRequest() const {
-    InfillRequest request = requestOf(settings_, infill_, index_);
+    InfillRequest request = fill_.request();
     request.start = nozzle_;
     request.island = island_;
     request.part_from_plan = context_.part_from_layers * Eigen::Translation3d(0.0, 0.0, top_);
@@ -535,7 +472,7 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    const RoleBead& usual = beads_.of(run.role);
+    const RoleBead& usual = fill_.beads().of(run.role);
     Path path = below_.carried(pathAlong(run, beadsAlong(run, settings_, usual.bead, usual.pitch_mm), top_,
                                          feedIn(settings_.feed, run.role, index_)));
     layPath(withFlow(std::move(path), settings_.bead.flow), over);
@@ -570,11 +507,10 @@ class LayerPlanner {
   const InfillGroup* group_;               ///< null where each layer has an infill of its own
   const LayerAids* aids_;                  ///< null without
   LayerBelow below_;
+  LayerFill fill_;
+  double pitch_;                             ///< between neighbouring walls [mm]
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;
-  LayerBeads beads_;
-  double pitch_ = 0.0;  ///< between neighbouring walls [mm]
-  InfillSpacing infill_;
   double unprinted_mm2_ = 0.0;
   Refilling refilling_;
   Bridging bridging_;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/program_stations.hpp"
 
-#include <cmath>
-
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -40,7 +39,7 @@ void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& ex
   const double off_mm = (given.translation() - expected.translation()).norm();
   const Point3 tool_axis = given.linear().col(2);
   const Point3 wanted = expected.linear().col(2);
-  const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
+  const double turn = angleBetween(tool_axis, wanted);
   if (!(off_mm <= kSameTip && turn <= kSameToolAxis + tolerance))
     throw InvalidInput(toText(at) + ": the joints bring the nozzle " + numberText(off_mm) + " mm and " +
                        numberText(turn * kDegreesPerRadian) +

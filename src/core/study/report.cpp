@@ -8,7 +8,7 @@
 
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
-#include "picture/html.hpp"
+#include "lamina/picture/html.hpp"
 
 namespace lamina {
 namespace {

@@ -3,7 +3,6 @@
 #include "lamina/web/multipart_reader.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -18,20 +17,13 @@ constexpr int kMostParts = 16;
 constexpr std::size_t kLongestBoundary = 70;
 constexpr std::size_t kLongestFileName = 120;
 
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return small;
-}
-
 /// A parameter of a header such as `form-data; name="file"`, its quotes taken off; nothing if it is missing.
 std::optional<std::string> parameterOf(std::string_view header, std::string_view wanted) {
   std::size_t at = header.find(';');
   while (at != std::string_view::npos && at + 1 < header.size()) {
     std::size_t equals = at + 1;
     while (equals < header.size() && header[equals] != '=' && header[equals] != ';') ++equals;
-    const std::string name = inSmallLetters(trimmed(header.substr(at + 1, equals - at - 1)));
+    const std::string name = lowerCase(trimmed(header.substr(at + 1, equals - at - 1)));
     std::string value;
     std::size_t end = equals < header.size() && header[equals] == '=' ? equals + 1 : equals;
     if (end < header.size() && header[end] == '"') {
@@ -70,7 +62,7 @@ MultipartHead headOf(std::string_view text) {
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
     const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos || inSmallLetters(line.substr(0, colon)) != "content-disposition")
+    if (colon == std::string_view::npos || lowerCase(line.substr(0, colon)) != "content-disposition")
       continue;
     head.name = parameterOf(line, "name").value_or("");
     head.filename = parameterOf(line, "filename");
@@ -98,7 +90,7 @@ std::size_t characterAt(std::string_view text, std::size_t at) {
 }  // namespace
 
 std::optional<std::string> multipartBoundary(std::string_view content_type) {
-  const std::string type = inSmallLetters(trimmed(content_type.substr(0, content_type.find(';'))));
+  const std::string type = lowerCase(trimmed(content_type.substr(0, content_type.find(';'))));
   if (type != "multipart/form-data") return std::nullopt;
   auto boundary = parameterOf(content_type, "boundary");
   if (!boundary || boundary->empty() || boundary->size() > kLongestBoundary) return std::nullopt;

@@ -13,7 +13,6 @@
 #include <boost/beast/http/buffer_body.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
-#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <list>
@@ -107,8 +106,7 @@ std::optional<HttpHead> requestHead(const http::request<http::buffer_body>& requ
   head.target = std::string(request.target());
   head.peer = peer;
   for (const auto& field : request) {
-    std::string name(field.name_string());
-    for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    const std::string name = lowerCase(std::string(field.name_string()));
     const std::string value(field.value());
     const auto [place, is_new] = head.headers.emplace(name, value);
     if (!is_new && isOnce(name)) return std::nullopt;

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
+#include "lamina/base/text.hpp"
 #include "lamina/base/text_search.hpp"
 #include "lamina/streaming/job/packml.hpp"
 #include "names.hpp"
@@ -21,14 +21,13 @@ namespace {
 constexpr double kLongestSilence = 2.0;  // [s] of an executor that says five times a second that it is there
 
 /// In the words of Marlin, RepRapFirmware and Klipper.
-bool isHeaterFault(std::string message) {
+bool isHeaterFault(const std::string& message) {
   constexpr std::array<std::string_view, 8> kSigns = {
       "thermal runaway", "heating failed", "mintemp",          "maxtemp",
       "heater fault",    "not heating",    "adc out of range", "temperature excursion"};
-  std::transform(message.begin(), message.end(), message.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string small = lowerCase(message);
   return std::any_of(kSigns.begin(), kSigns.end(),
-                     [&message](std::string_view sign) { return contains(message, sign); });
+                     [&small](std::string_view sign) { return contains(small, sign); });
 }
 
 int alarmOfRejection(const std::string& message) {

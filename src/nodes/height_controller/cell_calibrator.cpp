@@ -12,6 +12,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/utc_time.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
@@ -178,7 +179,7 @@ CellCalibrator::Evidence CellCalibrator::evidence(const std::string& service, co
     throw InvalidInput("the recording has " + std::to_string(found.recording.poses.size()) +
                        " poses of the nozzle and " + std::to_string(found.recording.profiles.size()) +
                        " clouds; expected two and one");
-  found.date = utcText(static_cast<long long>(ros::WallTime::now().sec));
+  found.date = utcText(ros::WallTime::now().sec);
   return found;
 }
 

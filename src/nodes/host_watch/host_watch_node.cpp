@@ -9,6 +9,7 @@
 
 #include "host_diagnostics.hpp"
 #include "lamina/base/disk_space.hpp"
+#include "lamina/base/text.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 

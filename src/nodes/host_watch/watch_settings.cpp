@@ -6,9 +6,9 @@
 #include <ros/names.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -78,19 +78,8 @@ HostWatchSettings watchOf(const HostWatchNodeSettings& settings) {
   return watch;
 }
 
-std::vector<std::string> namesIn(const std::string& list) {
-  std::vector<std::string> names;
-  std::istringstream text(list);
-  for (std::string name; std::getline(text, name, ',');) {
-    name.erase(0, name.find_first_not_of(' '));
-    name.erase(name.find_last_not_of(' ') + 1);
-    if (!name.empty()) names.push_back(name);
-  }
-  return names;
-}
-
 std::vector<std::string> watchedNodes(const HostWatchNodeSettings& settings, const std::string& space) {
-  std::vector<std::string> nodes = namesIn(settings.nodes);
+  std::vector<std::string> nodes = listEntries(settings.nodes);
   for (std::string& node : nodes) {
     std::string defect;
     if (!ros::names::validate(node, defect))
@@ -101,7 +90,7 @@ std::vector<std::string> watchedNodes(const HostWatchNodeSettings& settings, con
 }
 
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings) {
-  const std::vector<std::string> needed = namesIn(settings.needed);
+  const std::vector<std::string> needed = listEntries(settings.needed);
   for (const std::string& name : needed)
     if (settings.peers.count(name) == 0)
       throw InvalidConfig("hosts.needed is " + settings.needed + ", but hosts.peers has no " + name);

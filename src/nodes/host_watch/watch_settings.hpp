@@ -44,9 +44,6 @@ HostWatchSettings watchOf(const HostWatchNodeSettings& settings);
 /// @throws InvalidConfig for an address that is none, and a host that is needed and not there
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);
 
-/// The names in a list with commas between.
-std::vector<std::string> namesIn(const std::string& list);
-
 /// Full names of the nodes that are watched.
 /// @param space  namespace of the watch, in which names without a leading slash are
 /// @throws InvalidConfig for a name that no node can have

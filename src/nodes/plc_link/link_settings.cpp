@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link_settings.hpp"
-
-#include <sstream>
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 
@@ -31,13 +30,7 @@ ModbusServerSettings serverSettings(const LinkSettings& settings) {
   server.bind = settings.bind;
   server.port = static_cast<std::uint16_t>(settings.port);
   server.connections = static_cast<std::size_t>(settings.connections);
-  server.allow.clear();
-  std::istringstream addresses(settings.allow);
-  for (std::string address; std::getline(addresses, address, ',');) {
-    const auto first = address.find_first_not_of(' ');
-    if (first == std::string::npos) continue;
-    server.allow.push_back(address.substr(first, address.find_last_not_of(' ') - first + 1));
-  }
+  server.allow = listEntries(settings.allow);
   return server;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 
 namespace lamina {
@@ -192,12 +193,18 @@ TEST(Parts, ABladeKeepsItsVolumeWhenItLeans) {
 }
 
 TEST(Parts, RefusesAnUnknownNameNamingTheOthers) {
-  try {
-    makePart("teapot");
-    FAIL();
-  } catch (const InvalidConfig& error) {
-    EXPECT_NE(std::string(error.what()).find("blade, blind_hole_plate, box"), std::string::npos);
-  }
+  const auto refusal = [](const std::string& name) -> std::string {
+    try {
+      makePart(name);
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string known = "; expected one of " + listed(partNames());
+  EXPECT_NE(known.find("blade, blind_hole_plate, box"), std::string::npos);
+  EXPECT_EQ(refusal("xyzzy"), "there is no part 'xyzzy'" + known);
+  EXPECT_EQ(refusal("balde"), "there is no part 'balde'" + known + "; did you mean 'blade'?");
 }
 
 TEST(Parts, RefusesParametersThatContradictEachOther) {

@@ -87,7 +87,7 @@ std::vector<Polygon> beadsOf(const FillPath& run) {
   return beads;
 }
 
-TEST(Contour, LeavesNoSlotWhereANarrowPlaceIsWideAtOneEnd) {
+TEST(Contour, LeavesNoGapWhereANarrowPlaceIsWideAtOneEnd) {
   // A loop along the border, 0.5 mm wide as at the wide end, finds no centre line in the 0.4 mm of the rest,
   // which are 2.4 mm2.
   const Polygon bottle = {{0, -0.5}, {2, -0.5}, {4, -0.2}, {10, -0.2},

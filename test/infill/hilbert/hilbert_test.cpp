@@ -84,7 +84,15 @@ TEST(HilbertQuadtree, FillsARegionInOneClosedRun) {
 
 TEST(HilbertQuadtree, FillsEachRegionInOneRun) {
   const Regions regions = {{rectangle(0, 0, 7, 7), {}}, {rectangle(10, 0, 19, 5), {}}};
-  EXPECT_EQ(hilbertQuadtree(regions, requestOf(0.4, 0.0)).size(), 2U);
+  const std::vector<FillPath> runs = hilbertQuadtree(regions, requestOf(0.4, 0.0));
+  ASSERT_EQ(runs.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Box2 box = boundingBox({runs[i].points});
+    const bool is_left = box.high.x() < 7.0;
+    EXPECT_TRUE(is_left || box.low.x() > 10.0) << "from region to region";
+    EXPECT_GT(box.high.x() - box.low.x(), is_left ? 5.0 : 7.0);
+    EXPECT_GT(box.high.y() - box.low.y(), is_left ? 5.0 : 3.0);
+  }
 }
 
 TEST(HilbertQuadtree, LaysTheMaterialThatASquareHolds) {

@@ -157,7 +157,9 @@ TEST(LightningBranches, AreNoneWithoutARoof) {
   const Regions inside = {{rectangle(0, 0, 20, 20), {}}};
   std::vector<BranchLayer> layers = tower(inside, 5);
   layers.back().roof.clear();
-  for (const std::vector<Polyline>& each : grown(layers, 2.0)) EXPECT_TRUE(each.empty());
+  const auto branches = grown(layers, 2.0);
+  ASSERT_EQ(branches.size(), 5U);
+  for (const std::vector<Polyline>& each : branches) EXPECT_TRUE(each.empty());
 }
 
 TEST(LightningBranches, CanBeCancelled) {

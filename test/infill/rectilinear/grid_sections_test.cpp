@@ -29,7 +29,9 @@ TEST(GridSections, KeepTheNodesWhoseEightNeighboursAreInside) {
 TEST(GridSections, KeepTheirDistanceFromAnySlantedBorder) {
   // With eight neighbours the clearance is one distance at least, and the square root of two at 45 degrees.
   const Polygon diamond = {{0, -20}, {20, 0}, {0, 20}, {-20, 0}};
-  for (const GridSection& section : gridSections({diamond}, 1.0, {0.3, 0.1}))
+  const std::vector<GridSection> sections = gridSections({diamond}, 1.0, {0.3, 0.1});
+  ASSERT_FALSE(sections.empty());
+  for (const GridSection& section : sections)
     for (const Polyline& pass : section.passes)
       for (const Point2& end : pass)
         EXPECT_GE(test::distanceToOutline({diamond}, end), std::sqrt(2.0) - 1e-9);

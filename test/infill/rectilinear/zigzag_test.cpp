@@ -53,7 +53,10 @@ TEST(Zigzag, TurnsWithItsAngle) {
 }
 
 TEST(Zigzag, KeepsItsRasterWhereverTheRegionLies) {
-  for (const FillPath& path : rasterRuns({{rectangle(3.3, 7.7, 12.1, 20.9), {}}}, requestOf(0.75, 0.0)))
+  const std::vector<FillPath> runs =
+      rasterRuns({{rectangle(3.3, 7.7, 12.1, 20.9), {}}}, requestOf(0.75, 0.0));
+  ASSERT_FALSE(runs.empty());
+  for (const FillPath& path : runs)
     for (const Point2& point : path.points)
       EXPECT_NEAR(std::remainder(point.y(), 0.75), 0.0, 1e-9)
           << "the links of a rectangle have no points of their own";

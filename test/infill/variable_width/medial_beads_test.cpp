@@ -38,7 +38,7 @@ double medialBeadsFilledArea(const FillPath& run) {
   return sum;
 }
 
-TEST(MedialBeads, FillASlotByOneRunAsWideAsItIs) {
+TEST(MedialBeads, FillANarrowPlaceByOneRunAsWideAsItIs) {
   const std::vector<FillPath> runs = medialBeads({{rectangle(0, 0, 10, 0.5), {}}}, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_FALSE(runs[0].is_closed);
@@ -48,12 +48,12 @@ TEST(MedialBeads, FillASlotByOneRunAsWideAsItIs) {
   for (const Point2& point : runs[0].points) EXPECT_NEAR(point.y(), 0.25, kTolerance);
 }
 
-TEST(MedialBeads, FillASlotOfTwoBeadsThereAndBack) {
+TEST(MedialBeads, FillAPlaceOfTwoBeadsThereAndBack) {
   const std::vector<FillPath> runs = medialBeads({{rectangle(0, 0, 10, 0.8), {}}}, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_TRUE(runs[0].is_closed);
   for (const double width : runs[0].width_mm) EXPECT_NEAR(width, 0.4, kTolerance);
-  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), 8.0, 0.05);  // as a rectangle of beads fills a slot exactly
+  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), 8.0, 0.05);  // as a rectangle of beads fills it exactly
 }
 
 TEST(MedialBeads, ChangeFromOneBeadToTwoWhereAWedgeGetsThickerThanOneCanFill) {

@@ -50,7 +50,9 @@ TEST(Laying, ReportsWhatHangs) {
 
 TEST(Laying, TurnsEachFaceDown) {
   const Mesh part = makePart("tetradecahedron");
-  for (const Laying& laying : layings(part, {})) {
+  const std::vector<Laying> found = layings(part, {});
+  ASSERT_FALSE(found.empty());
+  for (const Laying& laying : found) {
     const Mesh placed = transformed(part, standing(part, rotationOfDegrees(laying.turn_deg), 1.0));
     double on_bed_mm2 = 0.0;
     for (const Triangle& t : placed.triangles) {

@@ -165,6 +165,7 @@ TEST(GravityTable, HeldAxesStandAtTheirValue) {
   settings.external_deg = 10.0;
   std::vector<Station> stations = ringLeaning(0.3);
   setExternalAxes(stations, *model, settings);
+  ASSERT_FALSE(stations.empty());
   for (const Station& station : stations) {
     EXPECT_NEAR(station.external[0], 10.0 * kDegree, 1e-12);
     EXPECT_NEAR(station.external[1], 10.0 * kDegree, 1e-12);

@@ -189,7 +189,9 @@ TEST(Bridges, GoAsTheyAreSet) {
   PlanSettings settings = spanning();
   settings.bridges.angle_deg = 10.0;
   settings.bridges.least_held = 0.3;
-  for (const Path& thread : threadsOf(plannedPart(bridge(), settings).toolpath.layers[5])) {
+  const auto threads = threadsOf(plannedPart(bridge(), settings).toolpath.layers[5]);
+  ASSERT_FALSE(threads.empty());
+  for (const Path& thread : threads) {
     const Point3 way = thread.points[1] - thread.points[0];
     EXPECT_NEAR(way.y() / way.x(), std::tan(10.0 * M_PI / 180.0), 1e-6);
   }
@@ -216,7 +218,9 @@ TEST(Bridges, KeepWithinTheWalls) {
   const Regions below = unite({rectangle(0, 0, 20, 10), test::reversed(rectangle(1, 1, 19, 9))});
   const Regions inside = unite({rectangle(0.7, 0.7, 19.3, 9.3)});
   const ThreadLayout layout{0.5 * M_PI, kThreadPitch, 1.0};
-  for (const FillPath& thread : bridgeThreads({rectangle(1, 1, 19, 9), {}}, below, inside, layout))
+  const std::vector<FillPath> threads = bridgeThreads({rectangle(1, 1, 19, 9), {}}, below, inside, layout);
+  ASSERT_FALSE(threads.empty());
+  for (const FillPath& thread : threads)
     for (const Point2& end : thread.points) {
       EXPECT_GE(end.y(), 0.7 + 0.48 * kThreadPitch);
       EXPECT_LE(end.y(), 9.3 - 0.48 * kThreadPitch);

@@ -40,6 +40,7 @@ PlanSettings solid() {
 
 TEST(HeightFieldLift, LaysTheLastLayerOfARoofOnIt) {
   const Toolpath toolpath = planned(roof(), solid());
+  ASSERT_FALSE(toolpath.layers.back().paths.empty());
   for (const Path& path : toolpath.layers.back().paths) {
     if (path.role == PathRole::Travel) continue;
     for (const Point3& point : path.points) EXPECT_NEAR(point.z(), roofAt(point.x()), 1e-4);
@@ -48,6 +49,7 @@ TEST(HeightFieldLift, LaysTheLastLayerOfARoofOnIt) {
 
 TEST(HeightFieldLift, HoldsTheNozzleUpright) {
   const Toolpath toolpath = planned(roof(), solid());
+  ASSERT_FALSE(toolpath.layers.front().paths.empty());
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) {
       ASSERT_TRUE(path.orientation.isCommon());

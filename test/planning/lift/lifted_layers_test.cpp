@@ -173,6 +173,7 @@ TEST(LiftedLayers, WithoutChartsStayWhereTheyArePlanned) {
   Stack stack = halfCylinders(2);
   stack.charts[0].clear();
   const Toolpath toolpath = planLifted(stack, filledBy("zigzag"));
+  ASSERT_FALSE(toolpath.layers[0].paths.empty());
   for (const Path& path : toolpath.layers[0].paths)
     for (const Point3& point : path.points) EXPECT_GE(point.z(), test::kLayerHeight);
   for (const Path& path : toolpath.layers[0].paths)
@@ -230,7 +231,10 @@ TEST(LiftedLayers, TurnTheNozzleWithoutJumps) {
 }
 
 TEST(LiftedLayers, HaveNoSkirt) {
-  const Toolpath toolpath = planLifted(halfCylinders(1), filledBy("zigzag"));
+  PlanSettings settings = filledBy("zigzag");
+  settings.skirt.count = 3;
+  const Toolpath toolpath = planLifted(halfCylinders(1), settings);
+  ASSERT_FALSE(toolpath.layers[0].paths.empty());
   for (const Path& path : toolpath.layers[0].paths) EXPECT_NE(path.role, PathRole::Skirt);
 }
 

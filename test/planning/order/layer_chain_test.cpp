@@ -104,6 +104,7 @@ TEST(LayerChain, LeavesNineTenthsOfAPitchOfEachCycleOut) {
   const std::vector<Layer> cube =
       layersOf(4, [](int) { return std::vector<Polygon>{rectangle(0, 0, 12, 12)}; });
   const Toolpath toolpath = plan(cube, contoursOnly());
+  ASSERT_EQ(toolpath.layers.size(), 4U);
   for (const ToolpathLayer& layer : toolpath.layers) {
     ASSERT_EQ(layer.paths.size(), 1U);
     const Path& path = layer.paths.front();

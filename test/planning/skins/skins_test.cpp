@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -298,18 +299,18 @@ TEST(Skins, TakeTheirFeedsByRole) {
   PlanSettings settings = fourAndFour();
   settings.feed.first_layer_mm_s = 1000.0;
   const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{centredSquare(20)}; });
+  const std::map<PathRole, double> expected = {{PathRole::TopSkin, settings.feed.top_skin_mm_s},
+                                               {PathRole::Skin, settings.feed.skin_mm_s},
+                                               {PathRole::BottomSkin, settings.feed.skin_mm_s}};
+  std::set<PathRole> seen;
   for (const ToolpathLayer& layer : plan(layers, settings).layers)
     for (const Path& path : layer.paths) {
-      if (path.role == PathRole::TopSkin) {
-        EXPECT_EQ(path.feed_mm_s.at(1), settings.feed.top_skin_mm_s);
-      }
-      if (path.role == PathRole::Skin) {
-        EXPECT_EQ(path.feed_mm_s.at(1), settings.feed.skin_mm_s);
-      }
-      if (path.role == PathRole::BottomSkin) {
-        EXPECT_EQ(path.feed_mm_s.at(1), settings.feed.skin_mm_s);
-      }
+      const auto skin = expected.find(path.role);
+      if (skin == expected.end()) continue;
+      EXPECT_EQ(path.feed_mm_s.at(1), skin->second) << toString(path.role);
+      seen.insert(path.role);
     }
+  EXPECT_EQ(seen.size(), expected.size());
 }
 
 TEST(Skins, RefuseAStrategyThatFillsNoLayerByItself) {

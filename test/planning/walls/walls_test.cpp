@@ -71,7 +71,7 @@ TEST(Walls, EndWhereTheyDoNotFit) {
   EXPECT_TRUE(walls.infill.empty());
 }
 
-/// A slot of that width between two squares.
+/// A neck of that width between two squares.
 Regions dumbbell(double neck) {
   return unite(
       {rectangle(0, 0, 10, 10), rectangle(20, 0, 30, 10), rectangle(9, 5 - 0.5 * neck, 21, 5 + 0.5 * neck)});
@@ -116,47 +116,47 @@ TEST(Walls, FillADiscOfTheRadiusThatTheLastOneVanishesAt) {
 
 TEST(Walls, LeaveBeadsAlongNarrowPlacesInsteadOfASolidInfill) {
   const PlanSettings settings = wallsOf(1);
-  const Regions slot = {{rectangle(0, 0, 20, 1.4), {}}};  // 0.6 mm between the walls
-  const Walls solid = makeWalls(slot, settings, kWallsPitch, WallContact::Fitted);
+  const Regions strip = {{rectangle(0, 0, 20, 1.4), {}}};  // 0.6 mm between the walls
+  const Walls solid = makeWalls(strip, settings, kWallsPitch, WallContact::Fitted);
   ASSERT_EQ(solid.narrow_infill.size(), 1U);
   EXPECT_EQ(solid.narrow_infill[0].role, PathRole::GapFill);
   for (const double width : solid.narrow_infill[0].width_mm) EXPECT_NEAR(width, 0.6, 0.01);
   EXPECT_LT(area(solid.infill), 0.05);
-  const Walls sparse = makeWalls(slot, settings, kWallsPitch, WallContact::Overlapping);
+  const Walls sparse = makeWalls(strip, settings, kWallsPitch, WallContact::Overlapping);
   EXPECT_TRUE(sparse.narrow_infill.empty());
   EXPECT_GT(area(sparse.infill), 19.2 * 0.6);  // it overlaps the wall
 }
 
 /// What a ring of a square of 40 mm leaves, so wide, for two walls.
-FittedArea slotsOfRing(double width_mm, double overlap_mm) {
+FittedArea gapOfRing(double width_mm, double overlap_mm) {
   const Regions ring = {
       {rectangle(0, 0, 40, 40), {reversed(rectangle(width_mm, width_mm, 40 - width_mm, 40 - width_mm))}}};
-  return withoutSlots(ring, ring, overlap_mm, wallsOf(2), kWallsPitch);
+  return withoutNarrowGaps(ring, ring, overlap_mm, wallsOf(2), kWallsPitch);
 }
 
 TEST(Walls, AreJoinedByBeadsWhereASparseInfillHasNoRoom) {
   for (const double overlap : {0.0, 0.06}) {
     // The infill reaches into the walls on both sides; 0.3 mm are between them.
-    const FittedArea slot = slotsOfRing(0.3 + 2.0 * overlap, overlap);
-    EXPECT_LT(area(slot.wide), 1e-3);
-    ASSERT_EQ(slot.narrow.size(), 1U);
-    EXPECT_EQ(slot.narrow[0].role, PathRole::GapFill);
-    EXPECT_TRUE(slot.narrow[0].is_closed);
-    const auto widths = std::minmax_element(slot.narrow[0].width_mm.begin(), slot.narrow[0].width_mm.end());
+    const FittedArea gap = gapOfRing(0.3 + 2.0 * overlap, overlap);
+    EXPECT_LT(area(gap.wide), 1e-3);
+    ASSERT_EQ(gap.narrow.size(), 1U);
+    EXPECT_EQ(gap.narrow[0].role, PathRole::GapFill);
+    EXPECT_TRUE(gap.narrow[0].is_closed);
+    const auto widths = std::minmax_element(gap.narrow[0].width_mm.begin(), gap.narrow[0].width_mm.end());
     EXPECT_NEAR(*widths.first, 0.3, 0.01);
     EXPECT_LT(*widths.second, 0.3 * M_SQRT2 + 0.01) << "at the corners";
-    EXPECT_NEAR(perimeter(slot.narrow[0].points), 4.0 * (40.0 - 0.3 - 2.0 * overlap), 1.0);
+    EXPECT_NEAR(perimeter(gap.narrow[0].points), 4.0 * (40.0 - 0.3 - 2.0 * overlap), 1.0);
   }
 }
 
 TEST(Walls, LeaveWhatIsWiderThanABeadToASparseInfill) {
-  const FittedArea wide = slotsOfRing(0.45, 0.0);
+  const FittedArea wide = gapOfRing(0.45, 0.0);
   EXPECT_TRUE(wide.narrow.empty());
   EXPECT_NEAR(area(wide.wide), 40 * 40 - 39.1 * 39.1, 1e-3);
-  // No bead where there are no walls to be joined, or where others fill the slot.
-  const Regions slot = {{rectangle(0, 0, 40, 0.3), {}}};
-  EXPECT_TRUE(withoutSlots(slot, slot, 0.0, wallsOf(0), kWallsPitch).narrow.empty());
-  EXPECT_TRUE(withoutSlots(slot, {}, 0.0, wallsOf(2), kWallsPitch).narrow.empty());
+  // No bead where there are no walls to be joined, or where others fill the gap.
+  const Regions gap = {{rectangle(0, 0, 40, 0.3), {}}};
+  EXPECT_TRUE(withoutNarrowGaps(gap, gap, 0.0, wallsOf(0), kWallsPitch).narrow.empty());
+  EXPECT_TRUE(withoutNarrowGaps(gap, {}, 0.0, wallsOf(2), kWallsPitch).narrow.empty());
 }
 
 TEST(Walls, CountWhatIsTooThinToBePrinted) {

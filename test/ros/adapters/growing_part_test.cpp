@@ -95,14 +95,17 @@ TEST(GrowingPart, HasAllLayersSoFarForWhoComesLate) {
 TEST(GrowingPart, LiesHalfABeadBelowTheTipAndGoesWithTheTable) {
   const Toolpath toolpath = twoLayers();
   GrowingPart part(toolpath, "part");
+  std::size_t shown = 0;
   for (const Marker& marker : part.whole().markers) {
     if (marker.action == Marker::DELETEALL) continue;
+    shown += marker.points.size();
     EXPECT_TRUE(marker.frame_locked);
     EXPECT_EQ(marker.header.frame_id, "part");
     const double height = toolpath.layers[0].paths[0].bead.at(0).height_mm;
     const double z = toolpath.layers[static_cast<std::size_t>(marker.id) / kPathRoles].z_mm;
     for (const auto& point : marker.points) EXPECT_NEAR(point.z, 1e-3 * (z - 0.5 * height), 1e-9);
   }
+  EXPECT_GT(shown, 0U);
 }
 
 }  // namespace

@@ -55,11 +55,14 @@ TEST(ToolpathMarkers, HoldEverySegmentOnceInTheNamespaceOfItsRole) {
 
 TEST(ToolpathMarkers, AreAQuarterAsWideAsTheBead) {
   const auto markers = lamina::toolpathMarkers(triangles(1), "part").markers;
+  std::size_t walls = 0;
   for (const Marker& marker : markers)
     if (marker.ns == "outer_wall") {
+      ++walls;
       EXPECT_DOUBLE_EQ(marker.scale.x, 0.0001);
       EXPECT_FLOAT_EQ(marker.color.a, 1.0F);
     }
+  EXPECT_GT(walls, 0U);
 }
 
 TEST(ToolpathMarkers, ShowDropsAsSpheresOfTheirSize) {

@@ -134,7 +134,8 @@ TEST(ConformalLayers, APartBeyondItsBaseIsRefusedWithTheRegion) {
     layersOnBase(part, base, {}, 0.5, progress);
     FAIL() << "was not refused";
   } catch (const Unsliceable& refusal) {
-    EXPECT_FALSE(refusal.region().triangles.empty());
+    ASSERT_FALSE(refusal.region().triangles.empty());
+    EXPECT_GT(boundingBox(refusal.region()).high.x(), boundingBox(base).high.x()) << refusal.what();
   }
 }
 

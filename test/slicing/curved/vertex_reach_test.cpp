@@ -66,6 +66,7 @@ TEST(VertexReach, PathsCrossABoundWhereItIs) {
   limits.bound = ShellBound{Point3::UnitZ(), 3.5};
   const VertexReach reach =
       reachOf(test::gridSurface(4, [](double u, double v) { return Point3(u, v, 1.0); }), limits);
+  ASSERT_FALSE(reach.bound_mm.empty());
   for (const double bound : reach.bound_mm) EXPECT_NEAR(bound, 2.5, 1e-12);
 }
 

@@ -29,6 +29,7 @@ TEST(SphereDirections, HaveTheAxesAmongThem) {
 
 TEST(SphereDirections, LieEvenly) {
   const std::vector<Point3> directions = sphereDirections(321, toRadians(90.0));
+  ASSERT_GE(directions.size(), 321U);
   // Each has an area of 2 pi / 321; nearest neighbours of a hexagonal grid are 8.4 deg apart.
   for (const Point3& a : directions) {
     double nearest = M_PI;

@@ -141,6 +141,7 @@ TEST(VolumetricLayers, OfATFanOutAboutItsEdges) {
 
 TEST(VolumetricLayers, FaceTheNozzle) {
   const VolumetricLayers layers = grownLayers(test::openingFrustum(60.0, 6.0));
+  ASSERT_FALSE(layers.layers.empty());
   for (const VolumetricLayer& layer : layers.layers)
     for (const Triangle& corner : layer.surface.middle.triangles) {
       const std::vector<Point3>& at = layer.surface.middle.vertices;

@@ -93,11 +93,11 @@ TEST_F(FirmwarePeriphery, FindsTheBumpOfItsBed) {
   EXPECT_EQ(map.substr(map.size() - 3), "ok\n");
 }
 
-TEST_F(FirmwarePeriphery, SwitchesEverythingOffInAnEmergency) {
-  EmulatedSettings settings;
-  settings.vacuum_zones = 1;
-  make(settings);
-  ask("M140 S90\nM42 P1 S255\nM112\n");
+TEST_F(FirmwarePeriphery, SwitchesItsBedOffAndHaltsInAnEmergency) {
+  make({});
+  ask("M140 S90\n");
+  EXPECT_DOUBLE_EQ(firmware_->bedTarget(), 90.0);
+  EXPECT_NE(ask("M112\n").find("Printer halted"), std::string::npos);
   EXPECT_DOUBLE_EQ(firmware_->bedTarget(), 0.0);
 }
 

@@ -11,7 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/picture/chart.hpp"
-#include "picture/html.hpp"
+#include "lamina/picture/html.hpp"
 
 namespace lamina {
 namespace {

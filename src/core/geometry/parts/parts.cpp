@@ -7,6 +7,7 @@
 
 #include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "shapes.hpp"
 
 namespace lamina {
@@ -19,13 +20,6 @@ struct Part {
   std::function<Mesh(const std::vector<SettingText>&)> make;
 };
 
-template <class Items, class NameOf>
-std::string listed(const Items& items, NameOf nameOf) {
-  std::string list;
-  for (const auto& item : items) list += (list.empty() ? "" : ", ") + nameOf(item);
-  return list;
-}
-
 template <class Shape>
 std::vector<PartParameter> parametersOf() {
   Shape shape;
@@ -35,6 +29,13 @@ std::vector<PartParameter> parametersOf() {
   for (const Setting& setting : schema.settings())
     parameters.push_back({setting.key, setting.get(), setting.bounds, setting.meaning});
   return parameters;
+}
+
+std::vector<std::string> keysOf(const std::vector<Setting>& settings) {
+  std::vector<std::string> keys;
+  keys.reserve(settings.size());
+  for (const Setting& setting : settings) keys.push_back(setting.key);
+  return keys;
 }
 
 template <class Shape>
@@ -49,7 +50,7 @@ Part part(const std::string& name, const std::string& meaning) {
       const auto found = std::find_if(settings.begin(), settings.end(), has_key);
       if (found == settings.end())
         throw InvalidConfig("part '" + name + "' has no parameter '" + value.key + "'; it has " +
-                            listed(settings, [](const Setting& setting) { return setting.key; }));
+                            listed(keysOf(settings)));
       found->set(value.text);
     }
     return build(shape);
@@ -82,8 +83,8 @@ std::vector<Part> parts() {
 Part find(const std::string& name) {
   for (Part& part : parts())
     if (part.name == name) return part;
-  throw InvalidConfig("there is no part '" + name + "'" + suggestionFor(partNames(), name) + " There are " +
-                      listed(parts(), [](const Part& part) { return part.name; }));
+  throw InvalidConfig("there is no part '" + name + "'; expected one of " + listed(partNames()) +
+                      suggestionFor(partNames(), name));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 
 namespace lamina {
@@ -24,7 +24,7 @@ Point3 unitNormal(const Mesh& mesh, const Triangle& corner) {
 double angleAt(const Mesh& mesh, const Triangle& corner, std::size_t k) {
   const Point3 a = mesh.vertices[corner[(k + 1) % 3]] - mesh.vertices[corner[k]];
   const Point3 b = mesh.vertices[corner[(k + 2) % 3]] - mesh.vertices[corner[k]];
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return angleBetween(a, b);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/dense_solvers.hpp"
+#include "lamina/base/angle.hpp"
 
 namespace lamina {
 namespace {
@@ -70,12 +71,6 @@ Twist poseDifference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)
   return twist;
 }
 
-/// In (-pi, pi].
-double wrappedJoint(double angle) {
-  const double within = std::remainder(angle, 2.0 * M_PI);
-  return within <= -M_PI ? within + 2.0 * M_PI : within;
-}
-
 }  // namespace
 
 std::optional<ArmValues> refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle,
@@ -89,7 +84,7 @@ std::optional<ArmValues> refined(const SerialChain& arm, const Eigen::Isometry3d
     if (step < kMostSteps) values += stepFor(linear.columns, missing);
   }
   if (!(error < kEnough)) return std::nullopt;
-  return values.unaryExpr(&wrappedJoint);
+  return values.unaryExpr(&wrappedRadians);
 }
 
 ArmSolutions refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_nozzle, ArmSolutions found) {
@@ -103,7 +98,7 @@ ArmSolutions refined(const SerialChain& arm, const Eigen::Isometry3d& bed_from_n
 }
 
 ArmSolutions wrappedValues(ArmSolutions found) {
-  for (ArmSolution& solution : found) solution.values = solution.values.unaryExpr(&wrappedJoint).eval();
+  for (ArmSolution& solution : found) solution.values = solution.values.unaryExpr(&wrappedRadians).eval();
   return found;
 }
 

@@ -21,9 +21,7 @@ constexpr double kUnitAxis = 1e-6;  // as of `directionOf`
 constexpr std::array<const char*, 4> kJointTypes = {"revolute", "continuous", "prismatic", "fixed"};
 
 std::string suffixOf(const std::string& path) {
-  std::string suffix = std::filesystem::path(path).extension().string();
-  for (char& letter : suffix) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return suffix;
+  return lowerCase(std::filesystem::path(path).extension().string());
 }
 
 double numberOf(const TiXmlElement& element, const char* name) {

@@ -37,11 +37,6 @@ struct AxisFrame {
   Point3 side;
 };
 
-double wrapped(double angle) {
-  const double turned = std::remainder(angle, 2.0 * M_PI);
-  return turned > -M_PI ? turned : M_PI;
-}
-
 double angleOf(const Eigen::Vector2d& direction) { return std::atan2(direction.y(), direction.x()); }
 
 /// Of unit length: the chord of so small an angle is the angle.
@@ -78,7 +73,7 @@ ToolAxisTurns turnsOfTwo(const ToolAxisTurner& turner, const Point3& wanted, dou
   for (const int branch : {0, 1}) {
     const AxisView between{seen.along, {side, branch == 0 ? off_plane : -off_plane}};
     const double first =
-        across < kOnAxis ? near_first : wrapped(angleOf(seen.across) - angleOf(between.across));
+        across < kOnAxis ? near_first : wrappedRadians(angleOf(seen.across) - angleOf(between.across));
     const double second = angleAbout(turner.axes[1], turner.at_zero, frame.direction(between));
     turns.push_back({branch, {first, second}});
   }
@@ -99,7 +94,7 @@ double sineBetween(const Point3& a, const Point3& b) { return a.cross(b).norm();
 
 double angleAbout(const Point3& axis, const Point3& from, const Point3& to) {
   const Point3 start = from - axis.dot(from) * axis;
-  return wrapped(std::atan2(axis.dot(start.cross(to)), start.dot(to)));
+  return wrappedRadians(std::atan2(axis.dot(start.cross(to)), start.dot(to)));
 }
 
 ToolAxisTurns toolAxisTurns(const ToolAxisTurner& turner, const Point3& wanted, const Eigen::Vector2d& near) {

@@ -3,12 +3,12 @@
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -30,7 +30,7 @@ std::string number(double value) {
 /// Why the tool axis is out of reach; empty if it is not.
 std::string toolAxisFault(const BuildSpace& space, const Point3& tool_axis) {
   const Point3 own = toolAxis(space);
-  const double angle = std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis));
+  const double angle = angleBetween(own, tool_axis);
   if (angle <= kReachedToolAxis) return "";
   const std::string turn = "the nozzle would have to turn by " + number(toDegrees(angle)) + " deg; ";
   if (!canTurnToolAxis(space)) return turn + "the head of " + space.name + " is fixed";
@@ -144,7 +144,7 @@ double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& b
     for (const Path& path : layer.paths)
       for (const Eigen::Quaterniond& orientation : path.orientation.values()) {
         const Point3 tool_axis = orientation * Point3::UnitZ();
-        greatest = std::max(greatest, std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis)));
+        greatest = std::max(greatest, angleBetween(own, tool_axis));
       }
   return greatest;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/dense_solvers.hpp"
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 
@@ -62,10 +63,9 @@ CrankAngles lengthErrors(const RusPlatform& platform, const CrankAngles& cranks,
 
 /// The pose moved by a small motion; turns about the platform's origin.
 Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const CrankAngles& motion) {
-  const Point3 turn = motion.tail<3>();
   Eigen::Isometry3d result = pose;
   result.translation() += motion.head<3>();
-  if (turn.norm() > 0.0) result.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear();
+  result.linear() = turnBy(motion.tail<3>()) * pose.linear();
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/number_text.hpp"
 
@@ -60,7 +61,7 @@ PassiveAngles passiveAngles(const RusLeg& leg, const Eigen::Isometry3d& pose, do
   const double across = coupler.dot(leg.crankTangent(crank));
   const Point3 from_ball = pose.linear().transpose() * -coupler;
   return {std::atan2(across, along), std::atan2(coupler.dot(leg.axis), std::hypot(along, across)),
-          std::atan2(leg.socket.cross(from_ball).norm(), leg.socket.dot(from_ball))};
+          angleBetween(leg.socket, from_ball)};
 }
 
 std::vector<FaultyLeg> faultyLegs(const RusPlatform& platform, const Eigen::Isometry3d& pose) {

@@ -3,13 +3,13 @@
 #include "lamina/planning/hooks/hooks.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "lamina/base/one_line.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "planning/hooks/hook_code.hpp"
@@ -18,15 +18,7 @@
 namespace lamina {
 namespace {
 
-/// With 3 decimals at most.
-std::string decimal(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  std::string digits = text;
-  digits.erase(digits.find_last_not_of('0') + 1);
-  if (digits.back() == '.') digits.pop_back();
-  return digits == "-0" ? "0" : digits;
-}
+std::string decimal(double value) { return trimmedDecimals(value, 3); }
 
 /// When the nozzle begins a path, or has ended it.
 struct Moment {

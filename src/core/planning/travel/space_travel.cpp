@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "planning/lift/held_along.hpp"
 #include "planning/nozzle_frame.hpp"
 #include "planning/travel/retraction.hpp"
@@ -53,7 +53,7 @@ Point3 atHeight(const Point3& point, double z) { return {point.x(), point.y(), z
 double riseBetween(const NozzlePose& from, const NozzlePose& to) {
   const Point3 one = againstToolAxis(from.orientation);
   const Point3 other = againstToolAxis(to.orientation);
-  return 0.25 * (to.point - from.point).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
+  return 0.25 * (to.point - from.point).norm() * angleBetween(one, other);
 }
 
 Route nearby(const NozzlePose& from, const NozzlePose& to) {

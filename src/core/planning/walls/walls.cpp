@@ -107,16 +107,16 @@ class WallMaker {
     walls.infill = difference(walls.infill, split.narrow);
   }
 
-  FittedArea withoutSlots(const Regions& inside, Regions sparse) const {
+  FittedArea withoutNarrowGaps(const Regions& inside, Regions sparse) const {
     const double distance = 0.5 * pitch_ + overlap_;
     const double least_mm2 = kLeastNarrow * pitch_ * pitch_;
     const Regions shrunk = offset(inside, -distance);
     if (isWideEverywhere(inside, shrunk, distance, least_mm2)) return {std::move(sparse), {}};
     const Regions narrow = splitByThickness(inside, shrunk, distance, least_mm2).narrow;
-    const Regions slots = narrow.empty() ? narrow : intersection(narrow, sparse);
-    if (slots.empty()) return {std::move(sparse), {}};
-    return {difference(sparse, slots),
-            beadsAlong(overlap_ > 0.0 ? offset(slots, -overlap_) : slots, PathRole::GapFill)};
+    const Regions gaps = narrow.empty() ? narrow : intersection(narrow, sparse);
+    if (gaps.empty()) return {std::move(sparse), {}};
+    return {difference(sparse, gaps),
+            beadsAlong(overlap_ > 0.0 ? offset(gaps, -overlap_) : gaps, PathRole::GapFill)};
   }
 
  private:
@@ -179,11 +179,11 @@ FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm) {
   return {std::move(around.infill), std::move(around.narrow_infill)};
 }
 
-FittedArea withoutSlots(const Regions& inside, Regions sparse, double overlap_mm,
-                        const PlanSettings& settings, double pitch_mm) {
+FittedArea withoutNarrowGaps(const Regions& inside, Regions sparse, double overlap_mm,
+                             const PlanSettings& settings, double pitch_mm) {
   if (settings.walls.count == 0) return {std::move(sparse), {}};
   const Regions none;
-  return WallMaker(none, settings, pitch_mm, overlap_mm).withoutSlots(inside, std::move(sparse));
+  return WallMaker(none, settings, pitch_mm, overlap_mm).withoutNarrowGaps(inside, std::move(sparse));
 }
 
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {

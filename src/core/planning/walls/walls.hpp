@@ -41,14 +41,14 @@ struct FittedArea {
 /// Divides an area that a solid fill covers from border to border.
 FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm);
 
-/// Takes slots out of the area of a sparse fill: places between walls that are narrower than a bead, where
+/// Takes narrow gaps out of the area of a sparse fill: places between walls, narrower than a bead, where
 /// the fill would lay nothing over the height of the part, so that its walls did not hold together. Without
 /// walls there are none.
 /// @param inside      all that the walls leave, reaching into them by the overlap
 /// @param sparse      of it, what the fill covers; beside other fills it may be narrow
 /// @param overlap_mm  of both areas with the walls
-FittedArea withoutSlots(const Regions& inside, Regions sparse, double overlap_mm,
-                        const PlanSettings& settings, double pitch_mm);
+FittedArea withoutNarrowGaps(const Regions& inside, Regions sparse, double overlap_mm,
+                             const PlanSettings& settings, double pitch_mm);
 
 /// Plans the walls of an area.
 /// @param material  the area [mm]

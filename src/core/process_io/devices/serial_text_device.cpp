@@ -4,8 +4,8 @@
 
 #include <boost/asio/io_context.hpp>
 #include <chrono>
-#include <cstdio>
 
+#include "base/decimals.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -17,16 +17,6 @@ namespace {
 constexpr double kRepeat = 0.25;  // s after which a line is sent again: devices may have a watchdog
 constexpr std::string_view kPlace = "{value}";
 constexpr std::size_t kMostWaiting = 4096;  // bytes of answers that are kept
-
-/// At most three decimals: "12.5".
-std::string decimalOf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  std::string number = text;
-  number.erase(number.find_last_not_of('0') + 1);
-  if (number.back() == '.') number.pop_back();
-  return number == "-0" ? "0" : number;
-}
 
 class SerialTextDevice final : public ProcessDevice {
  public:
@@ -58,7 +48,7 @@ class SerialTextDevice final : public ProcessDevice {
   std::vector<double> exchange(const std::vector<double>& raw) override {
     for (std::size_t i = 0; i < raw.size(); ++i) {
       std::string line = table_.channels[i].write;
-      line.replace(line.find(kPlace), kPlace.size(), decimalOf(raw[i]));
+      line.replace(line.find(kPlace), kPlace.size(), trimmedDecimals(raw[i], 3));
       if (line == sent_[i].line && clock_.now() - sent_[i].time_s < kRepeat) continue;
       say(line);
       sent_[i] = {line, clock_.now()};

@@ -3,9 +3,9 @@
 #include "lamina/program/gcode/gcode_writer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -65,7 +65,7 @@ void requireToolAxis(const Path& path, const Point3& tool_axis) {
   const auto& orientations = path.orientation.values();
   for (std::size_t i = 0; i < orientations.size(); ++i) {
     const Point3 wanted = orientations[i] * Point3::UnitZ();
-    const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
+    const double turn = angleBetween(tool_axis, wanted);
     if (!(turn <= kSameToolAxis))
       refuse(path, i,
              "the nozzle would have to turn by " + numberText(toDegrees(turn)) +

@@ -8,6 +8,7 @@
 
 #include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -206,13 +207,6 @@ std::optional<int> numberAfter(char letter, const std::string& name) {
 }
 
 }  // namespace
-
-std::string lowerCase(std::string_view name) {
-  std::string lower(name);
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower;
-}
 
 void requireRapidName(const std::string& key, const std::string& name) {
   const bool is_name =

@@ -13,9 +13,6 @@ namespace lamina {
 /// Name of the variable that switches the process off for a dry run.
 constexpr std::string_view kRapidDryFlag = "lamina_dry";
 
-/// The name in lower case, as RAPID does not distinguish case.
-std::string lowerCase(std::string_view name);
-
 /// Refuses a name that cannot be declared in RAPID.
 /// @param key  what is named, for the error
 /// @throws InvalidConfig if the name is no identifier, or a reserved word

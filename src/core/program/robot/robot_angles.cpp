@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 
 namespace lamina {
@@ -13,12 +14,6 @@ namespace {
 constexpr double kGimbal = 1e-6;      // cosine of y: nearer than the last decimal of any language
 constexpr double kHalfTurn = 1e-12;   // of w: under what a double resolves of the axis
 constexpr double kSmallTurn = 1e-12;  // of the vector part
-
-/// In (-180, 180].
-double wrapped(double degrees) {
-  const double turned = std::remainder(degrees, 360.0);
-  return turned <= -180.0 ? turned + 360.0 : turned;
-}
 
 }  // namespace
 
@@ -31,16 +26,16 @@ RobotAngles robotAngles(const Eigen::Quaterniond& turn, double near_x_deg) {
     // Only the difference of x and z at 90 deg, or their sum at -90 deg, turns anything.
     const double about = toDegrees(std::atan2(r(2, 0) < 0.0 ? r(0, 1) : -r(0, 1), r(1, 1)));
     angles.y_deg = r(2, 0) < 0.0 ? 90.0 : -90.0;
-    angles.x_deg = wrapped(near_x_deg);
-    angles.z_deg = wrapped(r(2, 0) < 0.0 ? near_x_deg - about : about - near_x_deg);
+    angles.x_deg = wrappedDegrees(near_x_deg);
+    angles.z_deg = wrappedDegrees(r(2, 0) < 0.0 ? near_x_deg - about : about - near_x_deg);
     return angles;
   }
   const double z = std::atan2(r(1, 0), r(0, 0));
   // From the other two columns as z has turned them: right also where the first says little of z.
   const double x = std::atan2(std::sin(z) * r(0, 2) - std::cos(z) * r(1, 2),
                               std::cos(z) * r(1, 1) - std::sin(z) * r(0, 1));
-  angles.z_deg = wrapped(toDegrees(z));
-  angles.x_deg = wrapped(toDegrees(x));
+  angles.z_deg = wrappedDegrees(toDegrees(z));
+  angles.x_deg = wrappedDegrees(toDegrees(x));
   return angles;
 }
 
@@ -66,9 +61,7 @@ Eigen::Vector3d rotationVector(const Eigen::Quaterniond& turn) {
 }
 
 Eigen::Quaterniond rotationOfVector(const Eigen::Vector3d& rotation_vector) {
-  const double angle = rotation_vector.norm();
-  if (angle == 0.0) return Eigen::Quaterniond::Identity();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle)).normalized();
+  return Eigen::Quaterniond(turnBy(rotation_vector)).normalized();
 }
 
 }  // namespace lamina

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
@@ -153,7 +154,7 @@ GrownPoint Growth::towards(std::size_t level, std::size_t i, const PlacedCurve& 
 
 /// From one unit vector to another by a share of the angle between them.
 Point3 turned(const Point3& from, const Point3& to, double share) {
-  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  const double angle = angleBetween(from, to);
   const double sine = std::sin(angle);
   if (sine < 1e-9) return share < 0.5 ? from : to;
   return ((std::sin((1.0 - share) * angle) * from + std::sin(share * angle) * to) / sine).normalized();

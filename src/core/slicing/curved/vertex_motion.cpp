@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/curved/vertex_motion.hpp"
+#include "geometry/space_vectors.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -99,9 +100,7 @@ VertexMotion motionOf(const Equations& equations, const ShellBound* bound) {
 }
 
 double angleAt(const Point3& corner, const Point3& next, const Point3& previous) {
-  const Point3 a = next - corner;
-  const Point3 b = previous - corner;
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return angleBetween(next - corner, previous - corner);
 }
 
 Point3 unitNormal(const Mesh& mesh, const Triangle& corner) {

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <utility>
 
@@ -19,6 +18,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/percent_encoding.hpp"
 #include "lamina/base/sha256.hpp"
+#include "lamina/base/utc_time.hpp"
 
 namespace lamina {
 namespace {
@@ -62,15 +62,6 @@ void makeFolder(const std::filesystem::path& folder) {
   if (::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) return;
   throw FileError("cannot make the folder " + folder.string() +
                   " for the progress file: " + std::strerror(errno));
-}
-
-std::string timeText(std::int64_t time_ms) {
-  const std::time_t seconds = time_ms / 1000;
-  std::tm parts{};
-  ::gmtime_r(&seconds, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
-  return text;
 }
 
 std::string mapText(const AppliedMap& map) {
@@ -275,7 +266,8 @@ std::string describeProgress(const JournalledProgress& known) {
   const JobProgress& progress = known.progress;
   const std::string total = std::to_string(known.job.lines_total);
   const std::string line = std::to_string(progress.taken_through);
-  const std::string when = std::string(", ") + toString(progress.state) + " at " + timeText(progress.time_ms);
+  const std::string when = std::string(", ") + toString(progress.state) + " at " +
+                           utcText(static_cast<double>(progress.time_ms / 1000), "%Y-%m-%d %H:%M:%S UTC");
   std::string text = known.job.program + " at " + known.job.port;
   if (known.job.revision)
     text += ", corrected on its way as recorded in " + known.job.revision->folder;

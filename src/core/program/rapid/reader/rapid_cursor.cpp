@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "program/rapid/rapid_words.hpp"
 
 namespace lamina {

@@ -4,6 +4,7 @@
 
 #include "base/decimals.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/text.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/reader/rapid_source.hpp"
 

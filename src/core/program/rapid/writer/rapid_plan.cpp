@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/rapid/writer/rapid_plan.hpp"
 
-#include <cmath>
 #include <optional>
 #include <string>
 
+#include "geometry/space_vectors.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -24,7 +24,7 @@ class ToolAxisCheck {
   void requireToolAxis(const Point3& tool_axis) const {
     for (std::size_t i = 0; i < path_.orientation.values().size(); ++i) {
       const Point3 wanted = path_.orientation.at(i) * Point3::UnitZ();
-      const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
+      const double turn = angleBetween(tool_axis, wanted);
       if (!(turn <= kSamePose))
         refuse(i, "the nozzle would have to turn by " + numberText(toDegrees(turn)) +
                       " deg; a program of rapid.variant " + toString(variant_) +

@@ -10,7 +10,6 @@
 
 #include "lamina/base/text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
-#include "program/rapid/rapid_words.hpp"
 
 namespace lamina {
 namespace {

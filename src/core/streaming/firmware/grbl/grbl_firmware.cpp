@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/firmware/grbl/grbl_firmware.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 
+#include "lamina/base/text.hpp"
 #include "streaming/firmware/grbl/grbl_job.hpp"
 #include "streaming/firmware/grbl/grbl_syntax.hpp"
 
 namespace lamina {
 
 bool GrblFirmware::isSpokenBy(std::string_view firmware_name) const {
-  std::string name(firmware_name);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lowerCase(firmware_name);
   return name.find("grbl") != std::string::npos || name.find("fluidnc") != std::string::npos;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "lamina/base/characters.hpp"
@@ -106,9 +105,7 @@ std::string MarlinFirmware::identification() const { return "M115"; }
 bool MarlinFirmware::isSpokenBy(std::string_view firmware_name) const {
   constexpr std::array<std::string_view, 6> kOthers = {"klipper", "reprapfirmware", "grbl",
                                                        "fluidnc", "smoothie",       "duet"};
-  std::string name(firmware_name);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lowerCase(firmware_name);
   return std::none_of(kOthers.begin(), kOthers.end(),
                       [&](std::string_view other) { return name.find(other) != std::string::npos; });
 }
