@@ -23,7 +23,6 @@ bool isFarAhead(const ros::Time& stamp, const ros::Time& latest) {
   return stamp.toNSec() > latest.toNSec() + static_cast<std::uint64_t>(kRemembered * 1e9);
 }
 
-/// As tf2 does: frames were once named with a slash in front.
 }  // namespace
 
 TransformSequence::TransformSequence(std::size_t most_waiting)
@@ -73,7 +72,7 @@ void TransformSequence::drop(const Waiting& ahead) {
 
 /// Those of a frame whose stamps are no longer in doubt: two in turn that are ahead are so for a pause.
 std::vector<TransformSequence::Waiting> TransformSequence::believed(Waiting next) {
-  FrameClock& clock = clocks_[bare(next.transform.child_frame_id)];
+  FrameClock& clock = clocks_[bareFrame(next.transform.child_frame_id)];
   const ros::Time stamp = next.transform.header.stamp;
   std::vector<Waiting> result;
   result.reserve(2);
