@@ -147,6 +147,31 @@ class Calibrate(unittest.TestCase):
             table.write("x_mm,y_mm,z_mm\n1,2,3\n4,5,6\n")
         self.assertIn("has 2 points; expected 3", lamina("calibrate", "object", self.path("two.csv")).stderr)
 
+    def test_finds_the_axes_of_positioner_and_rail(self):
+        with open(self.path("table.csv"), "w", encoding="ascii") as table:
+            table.write("angle_deg,x_mm,y_mm,z_mm\n")
+            for angle in (-90, -30, 0, 60, 120):
+                turned = math.radians(angle)
+                table.write(f"{angle},{1600 + 150 * math.cos(turned)!r},{-20 - 150 * math.sin(turned)!r},700\n")
+        found = reported("calibrate", "positioner", self.path("table.csv"))
+        for value, truth in zip(found["axis"] + found["centre_mm"], (0, 0, -1, 1600, -20, 700)):
+            self.assertAlmostEqual(value, truth, delta=1e-6)
+        self.assertAlmostEqual(found["radius_mm"], 150.0, delta=1e-6)
+        self.assertEqual((found["touches"], found["outlying_lines"]), (5, []))
+        said = lamina("calibrate", "positioner", self.path("table.csv"))
+        self.assertIn("positioner: {xyz_mm: [1600.000, -20.000, 700.000], rpy_deg: [", said.stdout)
+        self.assertIn("not found   its height along the axis", said.stdout)
+        with open(self.path("rail.csv"), "w", encoding="ascii") as table:
+            table.write("rail_mm,x_mm,y_mm,z_mm\n")
+            for value in (0, 500, 1000, 1500, 2000):
+                table.write(f"{value},{900 - value},{100 + (4 if value == 1500 else 0)},300\n")
+        refused = lamina("calibrate", "rail", self.path("rail.csv"))
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("line 5", refused.stderr)
+        dropped = lamina("calibrate", "rail", self.path("rail.csv"), "--drop")
+        self.assertIn("rail: {axis: [1.000000, 0.000000, 0.000000]}", dropped.stdout.replace("-0.0", "0.0"))
+        self.assertIn("outlying    line 5", dropped.stdout)
+
     def test_refuses_the_calibration_of_another_machine(self):
         write_bobbing(self.folder)
         reported("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))

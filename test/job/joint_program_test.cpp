@@ -288,6 +288,23 @@ TEST_F(JointProgramTest, RoundedSpeedsAndSplitFilesAreReported) {
   EXPECT_TRUE(reported("files, 'BOX_1.ls' to 'BOX_"));
 }
 
+// Such a program would run with the process on and no wire.
+TEST_F(JointProgramTest, OutputsOfValuesThatNoPathStatesAreReported) {
+  job_.settings.runs.levels.values = "laser_power_w=1000";
+  job_.settings.program.robot.levels = "laser_power_w=1*0.0005, wire_speed_mm_s=2*0.04";
+  const std::vector<std::string> notes = slice("irb_4600", "box.src").summary.notes;
+  const auto naming = [&](const std::string& value) {
+    return std::count_if(notes.begin(), notes.end(), [&](const std::string& note) {
+      return note.find("robot_program.levels leads '" + value + "'") == 0;
+    });
+  };
+  EXPECT_EQ(naming("laser_power_w"), 0);
+  ASSERT_EQ(naming("wire_speed_mm_s"), 1);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("to output 2, which stays at 0: no path states that value") != std::string::npos;
+  }));
+}
+
 /// Heights of the poses of a script [m].
 std::vector<double> heightsIn(const std::string& script) {
   std::vector<double> heights;

@@ -34,10 +34,11 @@ std::string robotLanguageName(const std::string& path);
 void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
                        const RobotProgramSettings& settings, const TextSink& sink);
 
-/// What was written: the files of a program, and how its speeds were rounded.
+/// What was written: the files of a program, how its speeds were rounded, and which outputs stay at 0.
 struct RobotWriting {
   std::vector<std::string> files;  ///< names; first the file to be loaded first, then those that it calls
   SpeedRounding speeds;
+  std::vector<RobotLevel> unstated;  ///< of robot_program.levels: those whose process value no path states
 };
 
 /// Names of files beside a program whose numbers follow those of its own files. They were left by a longer

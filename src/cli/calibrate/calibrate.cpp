@@ -8,7 +8,7 @@ namespace lamina::cli {
 void addCalibrate(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("calibrate",
                                             "Find when and from where a profile sensor sees, how late a "
-                                            "feeder follows, where tip and work object are");
+                                            "feeder follows, where tip, work object and external axes are");
   subcommand->require_subcommand(1);
   addCalibratePlan(*subcommand, chosen);
   addCalibrateTime(*subcommand, chosen);
@@ -16,6 +16,8 @@ void addCalibrate(CLI::App& app, Chosen& chosen) {
   addCalibrateFeeder(*subcommand, chosen);
   addCalibrateTip(*subcommand, chosen);
   addCalibrateObject(*subcommand, chosen);
+  addCalibratePositioner(*subcommand, chosen);
+  addCalibrateRail(*subcommand, chosen);
 }
 
 }  // namespace lamina::cli

@@ -11,6 +11,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/calibration/external_axis_fit.hpp"
 #include "lamina/calibration/tool_centre.hpp"
 #include "lamina/calibration/work_object.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
@@ -19,7 +20,7 @@
 namespace lamina::cli {
 namespace {
 
-/// The command line of `lamina calibrate tcp` and `object` as it was typed.
+/// The command line of `lamina calibrate tcp`, `object`, `positioner` and `rail` as it was typed.
 struct TouchArguments {
   std::string table;
   std::string origin = "foot";
@@ -149,6 +150,60 @@ void calibrateObject(const TouchArguments& arguments, OutputFormat format) {
   if (format == OutputFormat::Text) printReport(found.report, arguments);
 }
 
+/// Roll, pitch and yaw [deg] of the least turn that leads z to a direction.
+Point3 anglesOfAxis(const Point3& direction) {
+  const RobotAngles angles = robotAngles(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), direction));
+  return {angles.x_deg, angles.y_deg, angles.z_deg};
+}
+
+void calibratePositioner(const TouchArguments& arguments, OutputFormat format) {
+  const auto found = foundBy(axisTouchesFromCsv(readFile(arguments.table), "angle_deg", arguments.table),
+                             arguments, fitTurningAxis);
+  const TurningAxisFit& fit = found.fit;
+  const Point3 rpy_deg = anglesOfAxis(fit.direction);
+  if (format == OutputFormat::Json) {
+    nlohmann::ordered_json json = {{"axis", pointToJson(fit.direction)},
+                                   {"centre_mm", pointToJson(fit.centre)},
+                                   {"rpy_deg", pointToJson(rpy_deg)},
+                                   {"radius_mm", fit.radius_mm},
+                                   {"axis_spread_deg", fit.direction_spread_deg},
+                                   {"centre_spread_mm", fit.centre_spread_mm}};
+    json.update(reportToJson(found.report));
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("axis        (%.6f, %.6f, %.6f) in the base, ± %.4f deg\n", fit.direction.x(),
+              fit.direction.y(), fit.direction.z(), fit.direction_spread_deg);
+  std::printf("centre      (%.3f, %.3f, %.3f) mm in the base, ± %.3f mm; the mark is %.3f mm off the axis\n",
+              fit.centre.x(), fit.centre.y(), fit.centre.z(), fit.centre_spread_mm, fit.radius_mm);
+  printReport(found.report, arguments);
+  std::printf(
+      "cell file   positioner: {xyz_mm: [%.3f, %.3f, %.3f], rpy_deg: [%.4f, %.4f, %.4f]}, of one that turns "
+      "about z of its root\n",
+      fit.centre.x(), fit.centre.y(), fit.centre.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
+  std::printf("not found   its height along the axis, which is that of the mark, and where it is at 0\n");
+}
+
+void calibrateRail(const TouchArguments& arguments, OutputFormat format) {
+  const auto found =
+      foundBy(axisTouchesFromCsv(readFile(arguments.table), "rail_mm", arguments.table), arguments, fitRail);
+  const RailFit& fit = found.fit;
+  if (format == OutputFormat::Json) {
+    nlohmann::ordered_json json = {{"axis", pointToJson(fit.direction)},
+                                   {"way_per_value", fit.way_per_value},
+                                   {"axis_spread_deg", fit.direction_spread_deg}};
+    json.update(reportToJson(found.report));
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("axis        (%.6f, %.6f, %.6f) in the base, ± %.4f deg\n", fit.direction.x(),
+              fit.direction.y(), fit.direction.z(), fit.direction_spread_deg);
+  std::printf("way         %.6f mm for each millimetre that is shown\n", fit.way_per_value);
+  printReport(found.report, arguments);
+  std::printf("cell file   rail: {axis: [%.6f, %.6f, %.6f]}\n", fit.direction.x(), fit.direction.y(),
+              fit.direction.z());
+}
+
 std::shared_ptr<TouchArguments> addTouchOptions(CLI::App& subcommand, const std::string& columns) {
   auto arguments = std::make_shared<TouchArguments>();
   subcommand.add_option("table", arguments->table, "Table of the touches: " + columns)->required();
@@ -189,6 +244,28 @@ void addCalibrateObject(CLI::App& calibrate, Chosen& chosen) {
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] { calibrateObject(*arguments, chosen.format); };
+  });
+}
+
+void addCalibratePositioner(CLI::App& calibrate, Chosen& chosen) {
+  CLI::App* subcommand = calibrate.add_subcommand(
+      "positioner", "About which axis a positioner turns, by a mark on its plate at several angles");
+  const auto arguments = addTouchOptions(
+      *subcommand, "angle_deg of the axis, and x_mm, y_mm, z_mm of the tip in the base, on the mark");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback([arguments, &chosen] {
+    chosen.run = [arguments, &chosen] { calibratePositioner(*arguments, chosen.format); };
+  });
+}
+
+void addCalibrateRail(CLI::App& calibrate, Chosen& chosen) {
+  CLI::App* subcommand = calibrate.add_subcommand(
+      "rail", "Along which axis a rail carries a robot, by a mark in the room at several values");
+  const auto arguments = addTouchOptions(
+      *subcommand, "rail_mm, and x_mm, y_mm, z_mm of the tip in the base that the rail carries, on the mark");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback([arguments, &chosen] {
+    chosen.run = [arguments, &chosen] { calibrateRail(*arguments, chosen.format); };
   });
 }
 

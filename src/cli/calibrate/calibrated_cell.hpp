@@ -69,5 +69,7 @@ void addCalibrateFeeder(CLI::App& calibrate, Chosen& chosen);
 void addCalibratePlan(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateTip(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateObject(CLI::App& calibrate, Chosen& chosen);
+void addCalibratePositioner(CLI::App& calibrate, Chosen& chosen);
+void addCalibrateRail(CLI::App& calibrate, Chosen& chosen);
 
 }  // namespace lamina::cli

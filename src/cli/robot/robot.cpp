@@ -45,6 +45,8 @@ void printRobot(const RobotReport& report) {
     body.triangles > 0
         ? std::printf("body       %s: mesh of %zu triangles\n", body.link.c_str(), body.triangles)
         : std::printf("body       %s: %s\n", body.link.c_str(), body.shape.c_str());
+  for (const auto& [one, other] : report.unchecked)
+    std::printf("unchecked  %s against %s\n", one.c_str(), other.c_str());
   for (const std::string& trap : report.traps) std::printf("note       %s\n", trap.c_str());
 }
 
@@ -70,6 +72,7 @@ void printRobotJson(const RobotReport& report) {
       {"reach_mm", report.reach_mm},
       {"joints", joints},
       {"bodies", bodies},
+      {"unchecked", report.unchecked},
       {"traps", report.traps},
   };
   std::printf("%s\n", json.dump(2).c_str());

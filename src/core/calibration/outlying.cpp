@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t kFewest = 4;      // touches that a fit keeps
 constexpr double kFarOff = 7.3;         // standard deviations of a coordinate: 3 of a predicted place
 constexpr double kUnquestioned = 1e-3;  // mm: below that nothing is outlying
-constexpr double kUnknowns = 6.0;
 
 /// A touch as the fit to the others sees it.
 struct LeftOut {
@@ -57,8 +56,8 @@ double meanDistance(const std::vector<double>& distances) {
   return std::sqrt(squared / static_cast<double>(distances.size()));
 }
 
-double coordinateDeviation(const std::vector<double>& distances) {
-  const double spare = 3.0 * static_cast<double>(distances.size()) - kUnknowns;
+double coordinateDeviation(const std::vector<double>& distances, double unknowns) {
+  const double spare = 3.0 * static_cast<double>(distances.size()) - unknowns;
   if (spare <= 0.0) return 0.0;
   return std::sqrt(std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0) / spare);
 }

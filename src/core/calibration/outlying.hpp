@@ -26,9 +26,9 @@ std::vector<Value> pickedFrom(const std::vector<Value>& values, const std::vecto
   return chosen;
 }
 
-/// Standard deviation of one coordinate, by the distances from a fit of six unknowns [mm]; 0 for two touches
-/// or fewer.
-double coordinateDeviation(const std::vector<double>& distances);
+/// Standard deviation of one coordinate, by the distances from a fit of so many unknowns [mm]; 0 for touches
+/// that determine no more than these.
+double coordinateDeviation(const std::vector<double>& distances, double unknowns = 6.0);
 
 /// Root mean square of the distances; 0 if there are none.
 double meanDistance(const std::vector<double>& distances);

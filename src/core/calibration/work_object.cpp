@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/dense_solvers.hpp"
+#include "closest_rotation.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "outlying.hpp"
@@ -46,13 +47,8 @@ Eigen::Isometry3d objectFittedTo(const std::vector<TouchedPoint>& points) {
   if (!(width_mm >= kLeastWay))
     throw InvalidInput("the known points lie within " + numberText(width_mm) +
                        " mm of one line; expected at least 1 mm: the turn about that line cannot be found");
-  const SingularParts parts = singularParts(sums.product);
-  const Eigen::Matrix3d left = parts.left;
-  const Eigen::Matrix3d right = parts.right;
-  Eigen::Vector3d signs(1.0, 1.0, 1.0);
-  if ((left * right.transpose()).determinant() < 0.0) signs.z() = -1.0;
   Eigen::Isometry3d base_from_object = Eigen::Isometry3d::Identity();
-  base_from_object.linear() = left * signs.asDiagonal() * right.transpose();
+  base_from_object.linear() = closestRotation(sums.product).rotation;
   base_from_object.translation() = sums.base - base_from_object.linear() * sums.object;
   return base_from_object;
 }

@@ -50,6 +50,22 @@ NumberedName numberedName(const std::filesystem::path& file) {
   return {stem.substr(0, line), number};
 }
 
+bool isStated(const Toolpath& toolpath, const std::string& value) {
+  const auto names = [&](const ProcessValue& stated) { return stated.name == value; };
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (std::any_of(path.values.begin(), path.values.end(), names)) return true;
+  return false;
+}
+
+std::vector<RobotLevel> unstatedLevels(const Toolpath& toolpath, const std::string& levels) {
+  std::vector<RobotLevel> unstated;
+  std::vector<RobotLevel> listed = robotLevels(levels);
+  for (RobotLevel& level : listed)
+    if (!isStated(toolpath, level.name)) unstated.push_back(std::move(level));
+  return unstated;
+}
+
 /// All files or none.
 /// @return their names
 std::vector<std::string> commitFiles(const std::string& path, const std::vector<RobotFile>& program) {
@@ -120,7 +136,8 @@ RobotWriting writeRobotFiles(const std::string& path, const PlacedToolpath& plac
   const RobotLanguage language = *robotLanguageOf(path);
   const std::string name = std::filesystem::path(path).stem().string();
   return {commitFiles(path, programOf({language, name, settings}, placed)),
-          speedRounding(placed.toolpath, language, settings)};
+          speedRounding(placed.toolpath, language, settings),
+          unstatedLevels(placed.toolpath, settings.levels)};
 }
 
 RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
@@ -133,7 +150,7 @@ RobotWriting writeRobotFiles(const std::string& path, const Toolpath& over_bed,
   const std::string name = std::filesystem::path(path).stem().string();
   return {
       commitFiles(path, robotProgram(over_bed, Eigen::Isometry3d::Identity(), {language, name, settings})),
-      speedRounding(over_bed, language, settings)};
+      speedRounding(over_bed, language, settings), unstatedLevels(over_bed, settings.levels)};
 }
 
 }  // namespace lamina

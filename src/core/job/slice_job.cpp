@@ -81,6 +81,10 @@ std::vector<std::string> notesOf(const RobotWriting& writing) {
                   speeds.motions, 100.0 * speeds.greatest_share, speeds.feed_mm_s, speeds.written_mm_s);
     notes.emplace_back(note);
   }
+  for (const RobotLevel& level : writing.unstated)
+    notes.push_back("robot_program.levels leads '" + level.name + "' to output " +
+                    std::to_string(level.output) +
+                    ", which stays at 0: no path states that value (levels.values)");
   if (writing.files.size() > 1)
     notes.push_back("the program takes " + std::to_string(writing.files.size()) + " files, '" +
                     writing.files[1] + "' to '" + writing.files.back() + "' beside the first");

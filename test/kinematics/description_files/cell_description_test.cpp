@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -15,6 +16,7 @@
 #include "lamina/kinematics/description_files/xacro_expansion.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/seen_bodies.hpp"
 #include "support/arms.hpp"
 #include "support/scratch_folder.hpp"
@@ -200,6 +202,40 @@ TEST_F(CellFolder, AReportNamesClassAndTraps) {
   EXPECT_GT(report.reach_mm, 1150.0);
   EXPECT_LT(report.reach_mm, 1700.0);
   EXPECT_FALSE(report.traps.empty());
+}
+
+TEST_F(CellFolder, LinksThatItIgnoresAreNotCheckedAgainstEachOther) {
+  const LinkBodies bodies =
+      linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, joint_3_link], [nozzle, joint_2_link]]\n"));
+  EXPECT_TRUE(areIgnored(bodies, "joint_3_link", "bed"));
+  EXPECT_TRUE(areIgnored(bodies, "nozzle", "joint_2_link"));
+  EXPECT_FALSE(areIgnored(bodies, "joint_3_link", "joint_2_link"));
+  EXPECT_EQ(uncheckedLinks(bodies).back(), (std::pair<std::string, std::string>{"nozzle", "joint_2_link"}));
+  const auto ofMissing = [&] { linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, hose]]\n")); };
+  try {
+    ofMissing();
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("no link 'hose', which is to be ignored"), std::string::npos);
+  }
+  EXPECT_NE(failureOf(std::string(kPlain) + "  ignore: [[bed]]\n").find("names no two links"),
+            std::string::npos);
+}
+
+// R4: of a maker's arm nothing but neighbours goes unchecked.
+TEST(RobotReportOfAnArm, ListsNeighboursAloneAsUnchecked) {
+  const RobotReport report = robotReport(kinematicModelByName("irb_4600")->urdf());
+  ASSERT_FALSE(report.unchecked.empty());
+  const LinkBodies bodies = linkBodies(kinematicModelByName("irb_4600")->urdf());
+  const auto groupOf = [&](const std::string& link) {
+    const auto has = [&](const RigidGroup& group) {
+      return std::find(group.links.begin(), group.links.end(), link) != group.links.end();
+    };
+    return static_cast<std::size_t>(std::find_if(bodies.groups.begin(), bodies.groups.end(), has) -
+                                    bodies.groups.begin());
+  };
+  for (const auto& [one, other] : report.unchecked)
+    EXPECT_EQ(bodies.groups.at(groupOf(other)).parent, groupOf(one)) << one << " against " << other;
 }
 
 TEST_F(CellFolder, XacroBecomesTheSameUrdf) {

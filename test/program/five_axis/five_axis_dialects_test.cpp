@@ -332,6 +332,23 @@ TEST(FiveAxisDialects, FanucTakesNoTurnsBeyondItsNumbers) {
   EXPECT_EQ(woundText(program, -278), woundText(program));
 }
 
+TEST(FiveAxisDialects, FanucTakesNoMaterialBeyondItsNumbers) {
+  const auto refusal = [](FiveAxisDialect dialect) -> std::string {
+    ProgramSettings program = programIn(dialect, FiveAxisCoordinates::ToolTip);
+    program.filament_diameter_mm = 0.001;  // kilometres of it for a line of 40 mm
+    try {
+      writtenIn(program);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string fanuc = refusal(FiveAxisDialect::Fanuc);
+  EXPECT_NE(fanuc.find("mm of material; a Fanuc control takes 99 999.999 mm at most"), std::string::npos)
+      << fanuc;
+  EXPECT_EQ(refusal(FiveAxisDialect::Siemens), "");
+}
+
 TEST(FiveAxisDialects, TurnsWithinOneTurnGoTheShorterWay) {
   ProgramSettings program = programIn(FiveAxisDialect::Siemens, FiveAxisCoordinates::ToolTip);
   program.five_axis.turns = FiveAxisTurns::Modulo;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -29,7 +30,9 @@ struct RobotReport {
   /// Greatest distance of the flange from axis 1 among 2000 poses, which are the same in every run.
   double reach_mm = 0.0;
   std::vector<ReportedBody> bodies;  ///< for collision
-  std::vector<std::string> traps;    ///< warnings for people who want to use the description
+  /// Links that are never checked against each other: neighbours, and those that the cell ignores.
+  std::vector<std::pair<std::string, std::string>> unchecked;
+  std::vector<std::string> traps;  ///< warnings for people who want to use the description
 };
 
 /// The description with the links `bed` and `nozzle` that a kinematic model requires. If it lacks them, the

@@ -34,11 +34,25 @@ struct LinkBodies {
   /// that turn about one point without solid pieces in between, as a universal joint does. Groups connected
   /// in this way are built to touch.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  /// Links of such groups that are not checked against each other, as the description says by
+  /// `<lamina_ignore link1="" link2=""/>`.
+  std::vector<std::pair<std::string, std::string>> ignored;
 };
+
+/// Whether the description says that two links are not checked against each other, in either order.
+bool areIgnored(const LinkBodies& bodies, const std::string& a, const std::string& b);
+
+/// Whether that is said of any links of two groups.
+bool areIgnored(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b);
+
+/// Links with solid pieces that move against each other and are never checked: first neighbours, then those
+/// that the description ignores.
+std::vector<std::pair<std::string, std::string>> uncheckedLinks(const LinkBodies& bodies);
 
 /// The `<collision>` elements of a machine or robot, as `movingBodies` reads them, in the order of the tree:
 /// parents before children, and these by their names.
-/// @throws InvalidConfig if it is no URDF or has no link `bed`; as `movingBodies`
+/// @throws InvalidConfig if it is no URDF, has no link `bed` or ignores one that it does not have; as
+///   `movingBodies`
 LinkBodies linkBodies(const std::string& urdf);
 
 }  // namespace lamina

@@ -86,6 +86,7 @@ struct CellFile {
   CellTool tool;
   CellBed bed;
   std::vector<CellBody> bodies;
+  std::vector<std::array<std::string, 2>> ignored;  // links that are not checked against each other
 };
 
 Vector vectorFrom(const StrictYaml& node) {
@@ -105,8 +106,8 @@ class CellReader {
     CellFile cell;
     bool has_arm = false;
     bool has_bed = false;
-    for (const auto& [key, node] :
-         top[0].second.entries({"packages", "arm", "rail", "positioner", "tool", "bed", "bodies"})) {
+    for (const auto& [key, node] : top[0].second.entries(
+             {"packages", "arm", "rail", "positioner", "tool", "bed", "bodies", "ignore"})) {
       if (key == "packages")
         for (const std::string& folder : node.texts()) cell.packages.push_back(placed(folder));
       if (key == "arm") cell.arm = arm(node);
@@ -116,6 +117,8 @@ class CellReader {
       if (key == "bed") cell.bed = bed(node);
       if (key == "bodies")
         for (const StrictYaml& piece : node.pieces()) cell.bodies.push_back(body(piece));
+      if (key == "ignore")
+        for (const StrictYaml& piece : node.pieces()) cell.ignored.push_back(ignoredPair(piece));
       has_arm |= key == "arm";
       has_bed |= key == "bed";
     }
@@ -137,6 +140,13 @@ class CellReader {
     }
     if (arm.urdf.empty()) node.refuse("names no urdf; expected the file of the arm");
     return arm;
+  }
+
+  static std::array<std::string, 2> ignoredPair(const StrictYaml& node) {
+    const std::vector<std::string> links = node.texts();
+    if (links.size() != 2 || links[0] == links[1])
+      node.refuse("names no two links; expected those that are not checked against each other");
+    return {links[0], links[1]};
   }
 
   static CellAxis rail(const StrictYaml& node) {
@@ -374,6 +384,8 @@ std::string mergedText(const CellFile& cell) {
     text +=
         "</link>" + jointText("cell_bodies_place", "fixed", {"cell_world", "cell_bodies"}, originText({}));
   }
+  for (const auto& [one, other] : cell.ignored)
+    text += "<lamina_ignore link1=\"" + one + "\" link2=\"" + other + "\"/>";
   return text + "</robot>";
 }
 

@@ -109,8 +109,10 @@ RobotReport robotReport(const std::string& urdf) {
   const auto links = arm.bedFromLinks(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size())));
   report.base_from_flange_at_zero = links.at(model->getRoot()->name).inverse() * links.at(report.flange);
   report.reach_mm = reachOf(arm, report.flange);
-  for (const RigidGroup& group : linkBodies(text).groups)
+  const LinkBodies bodies = linkBodies(text);
+  for (const RigidGroup& group : bodies.groups)
     for (const LinkBody& body : group.bodies) report.bodies.push_back(reported(body));
+  report.unchecked = uncheckedLinks(bodies);
   report.traps = trapsOf(*model, arm, report.flange);
   return report;
 }

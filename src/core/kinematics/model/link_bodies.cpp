@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/model/link_bodies.hpp"
 
+#include <tinyxml.h>
+
 #include <algorithm>
+#include <set>
 
 #include "kinematics/model/body_shape.hpp"
 #include "kinematics/model/link_motion.hpp"
@@ -86,12 +89,66 @@ class GroupCollector {
   std::vector<GroupJoint> joints_;  ///< of the groups; that of the first has no meaning
 };
 
+std::vector<std::pair<std::string, std::string>> ignoredLinks(const std::string& urdf,
+                                                              const urdf::ModelInterface& model) {
+  TiXmlDocument document;
+  document.Parse(urdf.c_str());
+  std::vector<std::pair<std::string, std::string>> ignored;
+  for (const TiXmlElement* each = document.RootElement()->FirstChildElement("lamina_ignore"); each != nullptr;
+       each = each->NextSiblingElement("lamina_ignore")) {
+    const auto link = [&](const char* attribute) -> std::string {
+      const char* const name = each->Attribute(attribute);
+      if (name != nullptr && model.getLink(name)) return name;
+      throw InvalidConfig("machine '" + model.getName() + "' has no link '" + (name == nullptr ? "" : name) +
+                          "', which is to be ignored; expected one of its links (cell.ignore)");
+    };
+    std::string first = link("link1");
+    ignored.emplace_back(std::move(first), link("link2"));
+  }
+  return ignored;
+}
+
+/// Each link with solid pieces of a group once.
+std::set<std::string> solidLinks(const RigidGroup& group) {
+  std::set<std::string> links;
+  for (const LinkBody& body : group.bodies) links.insert(body.link);
+  return links;
+}
+
 }  // namespace
+
+bool areIgnored(const LinkBodies& bodies, const std::string& a, const std::string& b) {
+  return std::any_of(bodies.ignored.begin(), bodies.ignored.end(), [&](const auto& pair) {
+    return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
+  });
+}
+
+bool areIgnored(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b) {
+  return std::any_of(a.bodies.begin(), a.bodies.end(), [&](const LinkBody& one) {
+    return std::any_of(b.bodies.begin(), b.bodies.end(),
+                       [&](const LinkBody& other) { return areIgnored(bodies, one.link, other.link); });
+  });
+}
+
+std::vector<std::pair<std::string, std::string>> uncheckedLinks(const LinkBodies& bodies) {
+  std::vector<std::pair<std::string, std::string>> unchecked;
+  for (std::size_t b = 1; b < bodies.groups.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) {
+      if (std::find(bodies.pairs.begin(), bodies.pairs.end(), std::pair{a, b}) != bodies.pairs.end())
+        continue;
+      for (const std::string& one : solidLinks(bodies.groups[a]))
+        for (const std::string& other : solidLinks(bodies.groups[b])) unchecked.emplace_back(one, other);
+    }
+  unchecked.insert(unchecked.end(), bodies.ignored.begin(), bodies.ignored.end());
+  return unchecked;
+}
 
 LinkBodies linkBodies(const std::string& urdf) {
   const auto model = parseMachine(urdf);
   if (!model->getLink("bed")) throw InvalidConfig("machine '" + model->getName() + "' has no link 'bed'");
-  return GroupCollector(*model).take();
+  LinkBodies bodies = GroupCollector(*model).take();
+  bodies.ignored = ignoredLinks(urdf, *model);
+  return bodies;
 }
 
 }  // namespace lamina

@@ -96,7 +96,7 @@ class FiveAxisLines {
 constexpr double kLinearScale = 1e4;              // 4 decimals
 constexpr double kRotaryScale = toDegrees(1e5);   // 5 decimals of a degree
 constexpr std::int64_t kUnitsOfTurn = 36000000;   // hundred-thousandths of a degree
-constexpr double kFarthestFanucAxis = 99999.999;  // deg: what a control with increments of 0.001 takes
+constexpr double kFarthestFanucAxis = 99999.999;  // deg or mm: what a control with increments of 0.001 takes
 constexpr double kFilamentScale = 1e5;
 constexpr std::size_t kLinear = 3;
 constexpr std::int64_t kMostInverseTime =
@@ -163,6 +163,12 @@ std::string FiveAxisLines::feedWord(double per_minute) {
 
 std::string FiveAxisLines::feederWords(std::int64_t units) {
   fed_ += units;
+  const double fed_mm = static_cast<double>(fed_) / kFilamentScale;
+  if (has_fanuc_feeds_ && feeder_.is_absolute && std::abs(fed_mm) > kFarthestFanucAxis)
+    throw InvalidInput(
+        std::string("axis ") + feeder_.letter + " has fed " + numberText(fed_mm) +
+        " mm of material; a Fanuc control takes 99 999.999 mm at most: expected a part of less "
+        "material, or thicker filament (program.filament_diameter_mm)");
   return fixed<5>(feeder_.letter, feeder_.is_absolute ? fed_ : units);
 }
 
