@@ -294,6 +294,10 @@ class CommandLine(unittest.TestCase):
                           ["voids", beads, "-o", self.path("c.json"), "--config", self.path("c.json")],
                           ["voids", beads, "--picture", self.path("c.png"), "--config", self.path("c.png")],
                           ["preview", beads, "-o", self.path("c.png"), "--config", self.path("c.png")],
+                          ["slice", box, "-o", self.path("c.csv"), "--set", "slicing.heights=file",
+                           "--set", "slicing.heights_file=" + self.path("c.csv")],
+                          ["slice", box, "-o", self.path("c.csv"), "--set", "slicing.mode=volumetric", "--set", "volumetric.target=given",
+                           "--set", "volumetric.target_file=" + self.path("c.csv")],
                           ["preview", beads, "-o", self.path("c.png"), "--layer", "0", "--part", self.path("c.png")]):
             self.assertIn("is the file that is read", self.assert_keeps_inputs(*arguments))
 

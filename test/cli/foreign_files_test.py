@@ -50,6 +50,7 @@ CALLS = [
     ("slice box --like FILE", ("", PROGRAM)),
     ("slice box --set part.modifiers=FILE", ("", YAML)),
     ("slice box --set slicing.heights=file --set slicing.heights_file=FILE", ("", TABLE)),
+    ("slice box --set slicing.mode=volumetric --set volumetric.target=given --set volumetric.target_file=FILE", ("", TABLE)),
     ("film FILE -o OUT", ANY),
     ("heights FILE", ("", MESH)),
     ("lay FILE", ("", MESH)),

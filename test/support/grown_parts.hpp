@@ -26,6 +26,24 @@ inline Mesh tShape(double bar_mm = 6.0) {
                     8.0);
 }
 
+/// A stem 12 mm wide and 20 mm high, and two arms 8 mm deep and high that lean out from its corners by 60 deg
+/// from upright.
+inline Mesh yShape() {
+  const double rise = 15.0 / std::tan(M_PI / 3.0);
+  const double notch = 28.0 - 6.0 / std::tan(M_PI / 3.0);
+  return lyingPrism({{{-6, 0},
+                      {6, 0},
+                      {6, 20},
+                      {21, 20 + rise},
+                      {21, 28 + rise},
+                      {0, notch},
+                      {-21, 28 + rise},
+                      {-21, 20 + rise},
+                      {-6, 20}},
+                     {}},
+                    8.0);
+}
+
 /// A frustum that opens upwards, its wall `lean_deg` from upright, on a circle of 10 mm.
 inline Mesh openingFrustum(double lean_deg, double height_mm) {
   const double top = 10.0 + height_mm * std::tan(lean_deg * M_PI / 180.0);

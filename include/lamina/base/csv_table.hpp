@@ -39,4 +39,12 @@ CsvTable readCsvTable(const std::string& path);
 ///   columns and a number
 std::size_t columnOf(const CsvTable& table, const std::string& name);
 
+/// Refuses a row of a table.
+/// @throws InvalidInput naming the source and the line of the row
+[[noreturn]] void refuseRow(const CsvTable& table, std::size_t row, const std::string& what);
+
+/// The number in a cell.
+/// @throws InvalidInput naming source, line, column and cell if it is none, or not finite
+double numberAt(const CsvTable& table, std::size_t row, std::size_t column);
+
 }  // namespace lamina

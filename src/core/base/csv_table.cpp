@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 #include <system_error>
 
@@ -127,6 +128,19 @@ std::size_t columnOf(const CsvTable& table, const std::string& name) {
     throw InvalidInput("'" + table.source + "' has no column '" + name + "'; it has " +
                        (isTable(table) ? listed(table.columns) : "no columns of numbers"));
   return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+void refuseRow(const CsvTable& table, std::size_t row, const std::string& what) {
+  throw InvalidInput("'" + table.source + "' line " + std::to_string(table.lines[row]) + ": " + what);
+}
+
+double numberAt(const CsvTable& table, std::size_t row, std::size_t column) {
+  const std::string& cell = table.rows[row][column];
+  double value = 0.0;
+  const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (result.ec != std::errc{} || result.ptr != cell.data() + cell.size() || !std::isfinite(value))
+    refuseRow(table, row, table.columns[column] + " is '" + cell + "'; must be a number");
+  return value;
 }
 
 }  // namespace lamina

@@ -203,7 +203,8 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   if (!job.output.empty()) outputWriterFor(job.output);
   requireProgramFor(job, space);
   requireApart({job.output},
-               {job.part, job.settings.machine.urdf, job.settings.conformal.base, job.settings.modifiers});
+               {job.part, job.settings.machine.urdf, job.settings.conformal.base, job.settings.modifiers,
+                job.settings.slicing.heights_file, job.settings.volumetric.target_file});
   requireToolAxisFor(job, space);
   Laps laps;
   progress.report("read", 0.0);

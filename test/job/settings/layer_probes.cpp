@@ -3,6 +3,8 @@
 // Layers that are inclined or not plane, and how the nozzle is held over them.
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/sliced_text.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina::test {
 namespace {
@@ -125,6 +127,26 @@ SettingProbe volumetricProbe() {
             "volumetric.largest_unsupported_percent=100"}}};
 }
 
+/// Volumetric layers across a direction from a table.
+std::string acrossTable(const SettingTexts& set) {
+  static const ScratchFolder folder;
+  writeFile(folder.file("east.csv"), "x,y,z,nx,ny,nz\n0,0,0,1,0,9\n");
+  writeFile(folder.file("west.csv"), "x,y,z,nx,ny,nz\n0,0,0,-1,0,9\n");
+  SettingTexts with_file = set;
+  for (SettingText& setting : with_file)
+    if (setting.key == "volumetric.target_file") setting.text = folder.file(setting.text);
+  return toolpathOf("cone radius_mm=3 top_radius_mm=6 height_mm=4 segments=32")(with_file);
+}
+
+SettingProbe givenProbe() {
+  return {"volumetric layers across given directions",
+          std::string(kThick) +
+              "slicing.mode=volumetric;volumetric.cell_mm=0.5;volumetric.target=given;"
+              "volumetric.target_file=east.csv",
+          acrossTable,
+          {{"volumetric.target_file=west.csv"}}};
+}
+
 SettingProbe fitProbe() {
   return {"volumetric layers with a fold that the head does not enter",
           std::string(kThick) +
@@ -186,9 +208,9 @@ SettingProbe orientationProbe() {
 }  // namespace
 
 std::vector<SettingProbe> layerProbes() {
-  return {inclinedProbe(),   beltProbe(),      adaptedProbe(),     curvedProbe(),     gapProbe(),
-          conformalProbe(),  baseProbe(),      heightFieldProbe(), volumetricProbe(), fitProbe(),
-          directionsProbe(), automaticProbe(), skinsProbe(),       orientationProbe()};
+  return {inclinedProbe(),  beltProbe(),       adaptedProbe(),     curvedProbe(),     gapProbe(),
+          conformalProbe(), baseProbe(),       heightFieldProbe(), volumetricProbe(), givenProbe(),
+          fitProbe(),       directionsProbe(), automaticProbe(),   skinsProbe(),      orientationProbe()};
 }
 
 }  // namespace lamina::test

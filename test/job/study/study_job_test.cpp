@@ -413,6 +413,11 @@ TEST(StudyMeasurement, DependsOnTheContentsOfFilesThatSettingsName) {
       withSetting("slicing.heights: file, slicing.heights_file: " + folder.file("heights.csv"));
   expectDependsOn(folder, heights, "heights.csv", {"z_mm,height_mm\n0,0.5\n", "z_mm,height_mm\n0,0.4\n"});
 
+  const std::string given = withSetting(
+      "slicing.mode: volumetric, volumetric.target: given, volumetric.target_file: " + folder.file("up.csv"));
+  expectDependsOn(folder, given, "up.csv",
+                  {"x,y,z,nx,ny,nz\n0,0,0,0,0,1\n", "x,y,z,nx,ny,nz\n0,0,0,0,1,1\n"});
+
   const std::string urdf = std::string(machineByName("cartesian_gantry").urdf);
   const std::string machine = withSetting("machine.urdf: " + folder.file("machine.urdf"));
   expectDependsOn(folder, machine, "machine.urdf", {urdf, urdf + "<!-- rebuilt -->"});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -86,6 +87,44 @@ TEST(ArrivalField, FansOutIntoTheArmsOfAT) {
   for (const double cell : {1.0, 0.5})
     // Ways cut the edge by up to a bit, a quarter of a cell.
     EXPECT_LT(greatestError(grown(test::tShape(), cell), truth, anywhere), 0.45 * cell) << cell;
+}
+
+// Both as if the other was not there.
+TEST(ArrivalField, FansOutIntoBothArmsOfAY) {
+  const GrowthGauge gauge = usualGauge();
+  const auto truth = [&](const Point3& place) {
+    const double beyond = std::max(0.0, std::abs(place.x()) - 6.0);
+    return place.z() < 20.0 ? place.z() : 20.0 + gauge.cost(Point3(beyond, 0.0, place.z() - 20.0));
+  };
+  EXPECT_LT(greatestError(grown(test::yShape(), 0.5), truth, anywhere), 0.45 * 0.5);
+}
+
+// From the nearest place of the foot, a circle of 10 mm: the part is convex.
+TEST(ArrivalField, IsTheCostFromTheFootOfALeaningCylinder) {
+  const GrowthGauge gauge = usualGauge();
+  for (const double lean_deg : {45.0, 60.0}) {
+    Mesh cylinder = makePart("cylinder", {{"radius_mm", "10"}, {"height_mm", "14"}, {"segments", "256"}});
+    for (Point3& vertex : cylinder.vertices) vertex.x() += std::tan(toRadians(lean_deg)) * vertex.z();
+    const auto truth = [&](const Point3& place) {
+      const double beyond = std::max(0.0, place.head<2>().norm() - 10.0);
+      return gauge.cost(Point3(beyond, 0.0, place.z()));
+    };
+    EXPECT_LT(greatestError(grown(cylinder, 0.5), truth, anywhere), 0.45 * 0.5) << lean_deg;
+  }
+}
+
+// The bits are other steps in it then.
+TEST(ArrivalField, TurnsWithThePart) {
+  const GrowthGauge gauge = usualGauge();
+  const Eigen::Rotation2Dd turn(toRadians(37.0));
+  Mesh turned = test::tShape();
+  for (Point3& vertex : turned.vertices) vertex.head<2>() = turn * Point2(vertex.head<2>());
+  const auto truth = [&](const Point3& place) {
+    const Point2 before = turn.inverse() * Point2(place.head<2>());
+    const double beyond = std::max(0.0, std::abs(before.x()) - 6.0);
+    return place.z() < 20.0 ? place.z() : 20.0 + gauge.cost(Point3(beyond, 0.0, place.z() - 20.0));
+  };
+  EXPECT_LT(greatestError(grown(turned, 0.5), truth, anywhere), 0.6 * 0.5);
 }
 
 TEST(ArrivalField, TiltsUndersidesAsTheGaugeSays) {

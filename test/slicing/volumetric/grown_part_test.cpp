@@ -4,6 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "support/grown_parts.hpp"
+#include "support/lofted_solid.hpp"
+#include "support/solids.hpp"
+
 namespace lamina {
 namespace {
 
@@ -27,6 +36,89 @@ TEST(GrownPart, IsNoBetterWhereNoMoreIsSupported) {
 // What is no longer lost counts for what is supported besides.
 TEST(GrownPart, IsBetterWhereMoreIsSupportedAndLessIsLost) {
   EXPECT_TRUE(supportsMore({19.9, 0.0}, {20.0, 1.0}, kLayerMm));
+}
+
+/// What a part leaves unsupported, grown without a head.
+struct Hung {
+  double surface_mm2;
+  double level_mm2;
+  double grown_mm2;
+  std::size_t minima;
+};
+
+Hung hungOf(const Mesh& mesh, double cell_mm) {
+  VolumetricRequest request;
+  request.settings.cell_mm = cell_mm;
+  request.settings.overhang_used_deg = 25.0;
+  NoProgress progress;
+  const GrownPart part = grownPart(mesh, request, progress);
+  return {part.hanging.surface_mm2, part.hanging.level_mm2, part.hanging.grown_mm2,
+          growthMinima(part.cells(), *part.lattice, part.bed_mm)};
+}
+
+// The undersides of the arms, 15 mm out and 60 deg from upright, 8 mm deep.
+TEST(GrownPart, SupportsTheArmsOfAY) {
+  const Hung hung = hungOf(test::yShape(), 0.5);
+  const double undersides_mm2 = 2.0 * 8.0 * 15.0 / std::sin(M_PI / 3.0);
+  EXPECT_NEAR(hung.level_mm2, undersides_mm2, 0.02 * undersides_mm2);
+  EXPECT_LT(hung.grown_mm2, 0.005 * hung.surface_mm2);
+  EXPECT_EQ(hung.minima, 0U);
+}
+
+// The lintel of a cube of 20 mm with a window of 10 mm through it: 200 mm² of 2600 that do not stand on the
+// bed. Fronts meet across it, and leave about three cells on both sides.
+TEST(GrownPart, SupportsTheLintelOfAWindowButWhereFrontsMeet) {
+  const Mesh cube = test::lyingPrism(
+      {{{-10, 0}, {10, 0}, {10, 20}, {-10, 20}}, {{{-5, 5}, {-5, 15}, {5, 15}, {5, 5}}}}, 20.0);
+  const Hung hung = hungOf(cube, 0.5);
+  EXPECT_NEAR(hung.surface_mm2, 2600.0, 20.0);
+  EXPECT_NEAR(hung.level_mm2, 200.0, 4.0);
+  const double near_crest_mm2 = 20.0 * 2.0 * 3.3 * 0.5;
+  EXPECT_LT(hung.grown_mm2, near_crest_mm2);
+}
+
+// Half a ring of 22 to 38 mm and 8 mm deep on both ends: level layers leave the quarter at its crown.
+TEST(GrownPart, SupportsAnArchOnBothFeet) {
+  Region arch;
+  constexpr int kSides = 60;
+  arch.outer.reserve(2 * (kSides + 1));
+  for (int i = 0; i <= kSides; ++i)
+    arch.outer.push_back(38.0 * Point2(std::cos(M_PI * i / kSides), std::sin(M_PI * i / kSides)));
+  for (int i = kSides; i >= 0; --i)
+    arch.outer.push_back(22.0 * Point2(std::cos(M_PI * i / kSides), std::sin(M_PI * i / kSides)));
+  const Hung hung = hungOf(test::lyingPrism(arch, 8.0), 0.8);
+  const double crown_mm2 = 8.0 * 22.0 * M_PI_2;
+  EXPECT_NEAR(hung.level_mm2, crown_mm2, 0.02 * crown_mm2);
+  EXPECT_LT(hung.grown_mm2, 0.01 * hung.surface_mm2);
+  EXPECT_EQ(hung.minima, 0U);
+}
+
+// A ball of 10 mm cut flat, with a hollow of 6 mm in it: fronts close above the hollow.
+TEST(GrownPart, ClosesAboveAHollow) {
+  std::vector<double> heights;
+  constexpr int kRings = 24;
+  heights.reserve(kRings + 1);
+  for (int i = 0; i <= kRings; ++i) heights.push_back(7.5 - 9.99 * std::cos(M_PI * i / kRings));
+  heights.front() = 0.0;
+  heights.erase(std::remove_if(heights.begin() + 1, heights.end(), [](double z) { return z <= 0.0; }),
+                heights.end());
+  const auto ball = [](double radius_mm) {
+    return [radius_mm](double, double z) {
+      return std::sqrt(std::max(0.01, radius_mm * radius_mm - (z - 7.5) * (z - 7.5)));
+    };
+  };
+  std::vector<double> inner;
+  inner.reserve(kRings + 1);
+  for (int i = 0; i <= kRings; ++i) inner.push_back(7.5 - 5.99 * std::cos(M_PI * i / kRings));
+  const Mesh shell = joined(test::loftedSolid(heights, 48, ball(10.0)),
+                            test::turnedInsideOut(test::loftedSolid(inner, 48, ball(6.0))));
+  const Hung hung = hungOf(shell, 0.5);
+  // The ceiling of the hollow, and the ball's own underside between the first layer and 45 deg.
+  const double ceiling_mm2 = 2.0 * M_PI * 6.0 * 6.0 * (1.0 - std::sqrt(0.5));
+  const double below_mm2 = 2.0 * M_PI * 10.0 * (7.5 - 10.0 * std::sqrt(0.5) - 0.2);
+  EXPECT_NEAR(hung.level_mm2, ceiling_mm2 + below_mm2, 5.0);
+  EXPECT_LT(hung.grown_mm2, 0.35 * hung.level_mm2);
+  EXPECT_EQ(hung.minima, 0U);
 }
 
 }  // namespace

@@ -33,8 +33,27 @@ Fitted fitted(const Mesh& mesh, double cell_mm, GrowthTarget target, double skin
   const GrowthGauge gauge(kFitLimits);
   ArrivalField arrival = arrivalField(cells, gauge, {0.0, 0.1}, progress);
   ArrivalField field = fittedGrowth(mesh, {cells, arrival, gauge},
-                                    {target, kFitLimits, toRadians(skin_slope_deg), 0.2, 8}, progress);
+                                    {target, kFitLimits, toRadians(skin_slope_deg), 0.2, 8, {}}, progress);
   return {std::move(cells), std::move(arrival), std::move(field)};
+}
+
+/// Fitted to a direction at each place.
+template <class Direction>
+Fitted fittedAlong(const Mesh& mesh, double cell_mm, const Direction& directionAt) {
+  NoProgress progress;
+  CellGraph cells(mesh, cell_mm, 0.0, progress);
+  const GrowthGauge gauge(kFitLimits);
+  ArrivalField arrival = arrivalField(cells, gauge, {0.0, 0.1}, progress);
+  GrowthFitRequest request{GrowthTarget::Given, kFitLimits, 0.44, 0.2, 8, {}};
+  request.given.reserve(cells.nodeCount());
+  for (std::uint32_t node = 0; node < cells.nodeCount(); ++node)
+    request.given.push_back(directionAt(cells.middle(node)));
+  ArrivalField field = fittedGrowth(mesh, {cells, arrival, gauge}, request, progress);
+  return {std::move(cells), std::move(arrival), std::move(field)};
+}
+
+double angleDeg(const Point3& a, const Point3& b) {
+  return toDegrees(std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)));
 }
 
 /// Calls visit(place, growth, gradient) at nodes.
@@ -128,6 +147,56 @@ TEST(GrowthFit, CrossesABentTubeAsWellAtItsEnd) {
     EXPECT_LT(meanTurnFromTangents(part, end_deg - 15.0, end_deg - 4.0), 1.0);
     EXPECT_LT(meanTurnFromTangents(part, end_deg - 4.0, end_deg), 1.5);
   }
+}
+
+TEST(GrowthFit, LeavesLevelGrowthAsItIsWhereUpIsGiven) {
+  const Fitted part = fittedAlong(test::boxBetween({0, 0, 0}, {10.3, 8, 12}), 0.7,
+                                  [](const Point3&) { return Point3(Point3::UnitZ()); });
+  visitNodes(part, [](const Point3& place, double growth, const Point3& gradient) {
+    EXPECT_NEAR(growth, place.z(), 1e-9);
+    EXPECT_LT((gradient - Point3::UnitZ()).norm(), 1e-5) << place.transpose();
+  });
+  EXPECT_EQ(std::count(part.field.is_level.begin(), part.field.is_level.end(), 0), 0);
+}
+
+// Over a wedge above the first layer, which stays flat.
+TEST(GrowthFit, LiesAcrossOneGivenDirection) {
+  const Point3 tilted(std::sin(toRadians(20.0)), 0.0, std::cos(toRadians(20.0)));
+  const Fitted part =
+      fittedAlong(test::boxBetween({0, 0, 0}, {10, 10, 36}), 1.0, [&](const Point3&) { return tilted; });
+  Mean off_deg;
+  Mean first_deg;
+  visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
+    if (place.z() > 16.0) {
+      EXPECT_LT(angleDeg(gradient, tilted), 1.0) << place.transpose();
+      off_deg.add(angleDeg(gradient, tilted));
+    }
+    if (place.z() < 1.0) first_deg.add(angleDeg(gradient, tilted));
+  });
+  EXPECT_LT(off_deg.mean(), 0.2);
+  EXPECT_GT(first_deg.mean(), 3.0);
+}
+
+// The lengths that make a gradient of the tangents of a bend, 1 / distance from its axis, are found by
+// rounds.
+TEST(GrowthFit, LiesAcrossTheGivenTangentsOfABend) {
+  const Mesh tube = makePart(
+      "elbow", {{"radius_mm", "10"}, {"bend_radius_mm", "30"}, {"foot_mm", "0.001"}, {"angle_deg", "90"}});
+  const Fitted part = fittedAlong(tube, 1.0, [](const Point3& place) {
+    return Point3(Point3::UnitY().cross(place - Point3(30.0, place.y(), 0.0)).normalized());
+  });
+  EXPECT_LT(meanTurnFromTangents(part, 4.0, 75.0), 0.5);
+  EXPECT_LT(meanTurnFromTangents(part, 75.0, 90.0), 2.0);
+  Mean inner;
+  Mean outer;
+  visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
+    const double angle_deg = toDegrees(std::atan2(place.z(), 30.0 - place.x()));
+    const double from_axis_mm = std::hypot(30.0 - place.x(), place.z());
+    if (angle_deg < 20.0 || angle_deg > 70.0) return;
+    if (std::abs(from_axis_mm - 22.0) < 1.0) inner.add(gradient.norm());
+    if (std::abs(from_axis_mm - 38.0) < 1.0) outer.add(gradient.norm());
+  });
+  EXPECT_NEAR(outer.mean() / inner.mean(), 22.0 / 38.0, 0.03);
 }
 
 // The sides of a slender rod are far larger than its end.

@@ -13,6 +13,7 @@
 #include "lamina/slicing/layer.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/slicing/unsliceable.hpp"
+#include "lamina/slicing/volumetric/direction_samples.hpp"
 #include "lamina/slicing/volumetric/head_room.hpp"
 #include "lamina/slicing/volumetric/volumetric_settings.hpp"
 
@@ -79,6 +80,8 @@ struct VolumetricRequest {
   SlicingSettings slicing;           ///< its layer heights are the least thickness of the layers
   double bead_mm = 0.4;              ///< width of beads
   std::vector<HeadStage> head = {};  ///< stages of the head that prints; none: collisions are not checked
+  /// What layers are to lie across, if `VolumetricSettings::target` is `Given` [part frame].
+  std::vector<DirectionSample> directions = {};
 };
 
 /// Cuts a part into layers that grow from the bed through the part. Layers may tilt, and be up to
@@ -92,7 +95,8 @@ struct VolumetricRequest {
 ///         width squared, pendants or unsupported surface exceed their limits, or less than half of a piece
 ///         rests on earlier material; the region is the surface there
 /// @throws InvalidMesh if the mesh is open or encloses no volume
-/// @throws InvalidInput if there are too many cells, or no layer; InvalidConfig; Cancelled
+/// @throws InvalidInput if there are too many cells, or no layer, or as `directionsAtNodes` with given
+///         directions; InvalidConfig; Cancelled
 VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology,
                                   const VolumetricRequest& request, Progress& progress);
 

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "lamina/base/settings_schema.hpp"
 
 namespace lamina {
 
 /// What volumetric layers are fitted to. `Arrival`: to nothing; growth is the cost of the cheapest path from
 /// the bed. `Smooth`: to that, smoothed. `Surface`: to skins that face growth. `Tangent`: to lie across the
-/// part, from the bed to its ends.
-enum class GrowthTarget { Arrival, Smooth, Surface, Tangent };
+/// part, from the bed to its ends. `Given`: to lie across directions from a file.
+enum class GrowthTarget { Arrival, Smooth, Surface, Tangent, Given };
 
 /// How a part is cut into layers of equal growth.
 struct VolumetricSettings {
@@ -24,6 +26,7 @@ struct VolumetricSettings {
   double deviation_deg = 55.0;  ///< greatest angle by which the tool axis leans from the layer's normal
   double sink_mm = 0.0;         ///< depth by which the part is sunk into the bed, and cut off there
   GrowthTarget target = GrowthTarget::Arrival;  ///< what layers are fitted to
+  std::string target_file;  ///< path of the table of directions if `target` is Given; else empty
   /// Greatest angle between a skin and the layers of the arrival field at which fitted layers follow the
   /// skin.
   double skin_slope_deg = 25.0;
@@ -40,7 +43,8 @@ struct VolumetricSettings {
 /// Adds the keys volumetric.*.
 void describe(SettingsSchema& schema, VolumetricSettings& settings);
 
-/// @throws InvalidConfig if `overhang_used_deg` exceeds `max_overhang_deg`
+/// @throws InvalidConfig if `overhang_used_deg` exceeds `max_overhang_deg`, if `target` is Given without
+///   `target_file`, or another with one
 void requireConsistent(const VolumetricSettings& settings);
 
 }  // namespace lamina

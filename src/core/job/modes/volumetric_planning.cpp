@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -85,9 +86,12 @@ std::string noteOnHead(const VolumetricMeasures& measures, const TravelsOverPart
 }
 
 /// A head that cannot tilt has nothing to lean.
-VolumetricRequest growthRequest(const PlanningRequest& request) {
+/// @param sunk_from_file  how the part that is sunk into the bed lies from its file
+VolumetricRequest growthRequest(const PlanningRequest& request, const Eigen::Affine3d& sunk_from_file) {
   const JobSettings& settings = request.job.settings;
-  VolumetricRequest growth{settings.volumetric, settings.slicing, settings.planning.bead.width_mm, {}};
+  VolumetricRequest growth{settings.volumetric, settings.slicing, settings.planning.bead.width_mm, {}, {}};
+  if (settings.volumetric.target == GrowthTarget::Given)
+    growth.directions = transformed(readDirectionSamples(settings.volumetric.target_file), sunk_from_file);
   if (canTurnToolAxis(request.space)) growth.head = headStages(settings.machine);
   return growth;
 }
@@ -109,8 +113,10 @@ std::vector<StackedSurface> stackedLayers(VolumetricLayers layers) {
 PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
-  for (Point3& vertex : source.mesh.vertices) vertex.z() -= settings.volumetric.sink_mm;
-  VolumetricLayers layers = volumetricLayers(source.mesh, source.topology, growthRequest(request), progress);
+  const Eigen::Translation3d sinking(0.0, 0.0, -settings.volumetric.sink_mm);
+  const VolumetricRequest growth = growthRequest(request, sinking * source.part_from_file);
+  for (Point3& vertex : source.mesh.vertices) vertex = sinking * vertex;
+  VolumetricLayers layers = volumetricLayers(source.mesh, source.topology, growth, progress);
   const double bed_mm = boundingBox(source.mesh).low.z() + settings.volumetric.sink_mm;
   SurfaceStack stack;
   stack.part = std::move(source.mesh);

@@ -123,6 +123,9 @@ void addNamedFiles(std::string& all, const JobSettings& settings, const Study& s
     addModifiers(all, file);
   for (const std::string& file : filesNamedBy("slicing.heights_file", settings.slicing.heights_file, study))
     add(all, bytesOf(file));
+  for (const std::string& file :
+       filesNamedBy("volumetric.target_file", settings.volumetric.target_file, study))
+    add(all, bytesOf(file));
   for (const std::string& file : filesNamedBy("machine.urdf", settings.machine.urdf, study))
     addMachine(all, file);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/adaptive_heights/height_table.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "lamina/base/csv_table.hpp"
@@ -14,19 +13,6 @@ namespace lamina {
 namespace {
 
 constexpr double kTableGap = 1e-6;  // mm: what decimals of a table may leave
-
-[[noreturn]] void refuseRow(const CsvTable& table, std::size_t row, const std::string& what) {
-  throw InvalidInput("'" + table.source + "' line " + std::to_string(table.lines[row]) + ": " + what);
-}
-
-double numberIn(const CsvTable& table, std::size_t row, std::size_t column) {
-  const std::string& cell = table.rows[row][column];
-  double value = 0.0;
-  const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (result.ec != std::errc{} || result.ptr != cell.data() + cell.size() || !std::isfinite(value))
-    refuseRow(table, row, table.columns[column] + " is '" + cell + "'; must be a number");
-  return value;
-}
 
 }  // namespace
 
@@ -45,8 +31,8 @@ std::vector<LayerBounds> readHeightTable(const std::string& path, double bottom_
   std::vector<LayerBounds> bounds;
   double reached_mm = 0.0;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double z_mm = numberIn(table, row, z_column);
-    const double height_mm = numberIn(table, row, height_column);
+    const double z_mm = numberAt(table, row, z_column);
+    const double height_mm = numberAt(table, row, height_column);
     if (!(height_mm > 0.0))
       refuseRow(table, row, "height_mm is " + numberText(height_mm) + " mm; must be positive");
     if (std::abs(z_mm - height_mm - reached_mm) > kTableGap)

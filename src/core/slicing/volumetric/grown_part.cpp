@@ -14,6 +14,7 @@
 
 #include "lamina/base/angle.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
+#include "slicing/volumetric/given_directions.hpp"
 #include "slicing/volumetric/growth_fit.hpp"
 
 namespace lamina {
@@ -136,11 +137,15 @@ GrownPart fitted(GrownPart arrived, Progress& progress) {
   const VolumetricSettings& settings = request.settings;
   if (settings.target == GrowthTarget::Arrival) return arrived;
   const ArrivedGrowth growth{arrived.cells(), arrived.field(), arrived.gauge};
-  const ArrivalField fit = fittedGrowth(
-      arrived.mesh, growth,
-      {settings.target, limitsOf(arrived.overhang_rad, settings), toRadians(settings.skin_slope_deg),
-       request.slicing.first_layer_height_mm, settings.rounds},
-      progress);
+  GrowthFitRequest asked{settings.target,
+                         limitsOf(arrived.overhang_rad, settings),
+                         toRadians(settings.skin_slope_deg),
+                         request.slicing.first_layer_height_mm,
+                         settings.rounds,
+                         {}};
+  if (settings.target == GrowthTarget::Given)
+    asked.given = directionsAtNodes(arrived.cells(), request.directions, progress);
+  const ArrivalField fit = fittedGrowth(arrived.mesh, growth, asked, progress);
   const auto fittedBy = [&](double share) {
     GrownPart part = arrived;
     part.grown = std::make_shared<const GrownCells>(arrived.grown->cells, blendedGrowth(growth, fit, share));

@@ -75,7 +75,7 @@ class GrowthFit {
       if (isReached(node))
         arrived_[node] =
             arrival_.near(cells_.middle(node), node, cells_.middle(node), arrived.gauge).gradient;
-    gradient_ = arrived_;
+    gradient_ = request.target == GrowthTarget::Given ? request.given : arrived_;
     is_followed_.assign(cells_.nodeCount(), 0);
     for (const SkinPart& part : skin_)
       if (isFollowed(part)) is_followed_[part.node] = 1;
@@ -91,7 +91,7 @@ class GrowthFit {
     for (int round = 0; round < request_.rounds; ++round) {
       progress_.report("fit", static_cast<double>(round) / request_.rounds);
       throwIfCancelled(progress_, "fit");
-      wanted = wantedGradients(along.empty() ? smoothed(smoothing) : along, stands);
+      wanted = wantedGradients(directionsFor(smoothing, along), stands);
       fit(poisson, stands, wanted);
     }
     const double steepest = steepestGradient();
@@ -186,6 +186,29 @@ class GrowthFit {
     return part.normal.dot(arrived) >= std::cos(request_.skin_slope_rad) * arrived.norm();
   }
 
+  /// What the next round is fitted to.
+  /// @param along  gradients along the part, if that is the target
+  std::vector<Point3> directionsFor(const PoissonSolver& smoothing, const std::vector<Point3>& along) const {
+    switch (request_.target) {
+      case GrowthTarget::Tangent:
+        return along;
+      case GrowthTarget::Given:
+        return givenGradients();
+      default:
+        return smoothed(smoothing);
+    }
+  }
+
+  /// Along the given directions as steep as the present field is: which lengths make a gradient of directions
+  /// is not known beforehand.
+  std::vector<Point3> givenGradients() const {
+    std::vector<Point3> gradients = request_.given;
+    const double most = request_.limits.max_thickness;
+    for (std::size_t node = 0; node < gradients.size(); ++node)
+      gradients[node] *= std::clamp(gradient_[node].dot(gradients[node]), 1.0 / most, most);
+    return gradients;
+  }
+
   /// Directions of the present field, smoothed.
   std::vector<Point3> smoothed(const PoissonSolver& smoothing) const {
     const auto count = static_cast<Eigen::Index>(cells_.nodeCount());
@@ -268,10 +291,10 @@ class GrowthFit {
     return {field.data(), field.data() + count};
   }
 
-  /// Directions within the limits, of the length that growth is to have: their own along a part, else that of
-  /// the arrival.
+  /// Directions within the limits, of the length that growth is to have: their own along a part and as given,
+  /// else that of the arrival.
   std::vector<Point3> wantedGradients(std::vector<Point3> directions, const std::vector<char>& stands) const {
-    const bool is_along = request_.target == GrowthTarget::Tangent;
+    const bool is_along = request_.target == GrowthTarget::Tangent || request_.target == GrowthTarget::Given;
     std::vector<double> lengths(cells_.nodeCount(), 1.0);
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node) {
       if (!isReached(node)) continue;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/slicing/volumetric/volumetric_settings.hpp"
@@ -25,6 +27,8 @@ struct GrowthFitRequest {
   double skin_slope_rad = 0.44;  ///< steepest slope of a skin that layers follow, from their own normal
   double first_layer_mm = 0.2;   ///< height over the bed below which growth stays as it is
   int rounds = 8;                ///< of directions and field in turn; at least 1
+  /// Of unit length, at each node of the part, if the target is `Given`; else empty.
+  std::vector<Point3> given = {};
 };
 
 /// Growth whose gradient is as near as it can be, by least squares over the part, to wanted directions:
@@ -33,10 +37,12 @@ struct GrowthFitRequest {
 /// - `Surface`: the same, but the normal of the surface at skins that face growth;
 /// - `Tangent`: along the part, from the bed to its ends: the gradient of the harmonic field that is 0 on the
 ///   bed and 1 on the flat face at the end of each limb, where the distance from the bed through the part is
-///   greatest.
+///   greatest;
+/// - `Given`: those of the request.
 ///
 /// Directions are turned so that no surface overhangs them by more than the limit, nor they tilt more; the
-/// gradient's length is that of the arrival field, for `Tangent` 1. The result is scaled so that its gradient
+/// gradient's length is that of the arrival field, for `Tangent` 1, for `Given` what the field of the round
+/// before has along the direction, within the bounds of thickness. The result is scaled so that its gradient
 /// exceeds 1, where layers are thinner than their nominal height, in at most 0.5 % of the volume. Where
 /// fronts of the arrival field meet, the fold between them stays as it is. Nodes that no growth reaches stay
 /// so. The result need not keep the limits: that is for the caller to check.

@@ -33,9 +33,13 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
       {{"arrival", GrowthTarget::Arrival},
        {"smooth", GrowthTarget::Smooth},
        {"surface", GrowthTarget::Surface},
-       {"tangent", GrowthTarget::Tangent}},
-      "What volumetric layers are fitted to: nothing, smooth layers, upper skins, or the "
-      "way along the part.");
+       {"tangent", GrowthTarget::Tangent},
+       {"given", GrowthTarget::Given}},
+      "What volumetric layers are fitted to: nothing, smooth layers, upper skins, the "
+      "way along the part, or given directions.");
+  schema.text(
+      "volumetric.target_file", settings.target_file,
+      "Table of directions (CSV: x,y,z,nx,ny,nz) that layers lie across with volumetric.target given.");
   schema.number(
       "volumetric.skin_slope_deg", settings.skin_slope_deg, {0.0, 60.0},
       "Angle of a skin from the layers below it, up to which layers fitted to the surface follow it.");
@@ -51,10 +55,16 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
 }
 
 void requireConsistent(const VolumetricSettings& settings) {
-  if (settings.overhang_used_deg <= settings.max_overhang_deg) return;
-  throw InvalidConfig("volumetric.overhang_used_deg is " + numberText(settings.overhang_used_deg) +
-                      "; must be at most volumetric.max_overhang_deg, " +
-                      numberText(settings.max_overhang_deg));
+  if (settings.overhang_used_deg > settings.max_overhang_deg)
+    throw InvalidConfig("volumetric.overhang_used_deg is " + numberText(settings.overhang_used_deg) +
+                        "; must be at most volumetric.max_overhang_deg, " +
+                        numberText(settings.max_overhang_deg));
+  if (settings.target == GrowthTarget::Given && settings.target_file.empty())
+    throw InvalidConfig(
+        "volumetric.target is 'given' without volumetric.target_file; expected a table of directions");
+  if (settings.target != GrowthTarget::Given && !settings.target_file.empty())
+    throw InvalidConfig("volumetric.target_file is '" + settings.target_file +
+                        "', which only volumetric.target 'given' reads; expected none");
 }
 
 }  // namespace lamina
