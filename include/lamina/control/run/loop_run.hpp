@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/control/bead_section.hpp"
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/fallen_watch.hpp"

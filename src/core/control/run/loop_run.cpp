@@ -333,6 +333,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
+    seeSections(*loop_, profile, atlas_, settings_.sight);
     if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(reading);
   }
