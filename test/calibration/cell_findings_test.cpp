@@ -134,6 +134,20 @@ TEST(CellFindings, TellThePlaceOfASensorThatIsLate) {
   EXPECT_GT(without_offset.fit.rms_mm, 5.0 * found.fit.rms_mm) << "the offset counts";
 }
 
+/// A head at rest: what is seen says nothing, and must not replace what was found before.
+TEST(CellFindings, RefuseAPlaceOfWhichNothingIsFound) {
+  const test::RecordedCell cell = lateCell();
+  const auto at_rest = [](double) { return test::nozzleAt({100.0, 100.0, 12.0}); };
+  const SensorRecording recording = test::record(cell, at_rest, 5.0);
+  const CalibrationSettings settings;
+  const std::string why = whyRefused([&] {
+    findPose({{sensorTarget("plane", {}, settings), recording}}, test::nominalSensor(), kKnownOffset,
+             settings, {"plane", "2026-11-23T12:00:00Z"});
+  });
+  EXPECT_NE(why.find("none of the six directions"), std::string::npos) << why;
+  EXPECT_NE(why.find("0.05 mm or 0.05 deg"), std::string::npos) << why;
+}
+
 /// The bare bed, seen from a head that does not tilt: nothing is found of x, y and the turn about z.
 TEST(CellFindings, KnowWhatTheyKeepAsWellAsItWasKnown) {
   FoundPose found;

@@ -288,6 +288,26 @@ TEST(ReadProfile, KeepsTheReturnThatAgreesWithWhatIsExpected) {
   EXPECT_NEAR(read.readings[0].reading.error_mm, 0.0, 1e-6);
 }
 
+/// A driver that has no depth for the end of its line leaves it at that of the sensor, or behind it.
+TEST(ReadProfile, KnowsMirrorsOfAProfileWithAPointOfNoDepth) {
+  const test::MeasuredLayer measured = test::inclinedLayer(0.0, 1, kWireBead);
+  const CellAtlas atlas = atlasOver(measured);
+  for (const double depth : {0.0, -5.0}) {
+    SensorProfile profile;
+    profile.toolpath_from_sensor = test::sensorOver(measured, 0, 0.5);
+    profile.points.emplace_back(-1.5, 0.0, depth);
+    for (int i = -14; i <= 14; ++i) {
+      const Point3 top(0.1 * i, 0.0, 60.0);
+      if (i == 2) profile.points.emplace_back(top * 60.4 / 60.0);
+      profile.points.push_back(top);
+    }
+    const ProfileReadings read = readProfile(profile, atlas, {}, {});
+    EXPECT_EQ(read.counts.mirrored, 1U) << depth;
+    ASSERT_EQ(read.readings.size(), 1U) << depth;
+    EXPECT_NEAR(read.readings[0].reading.error_mm, 0.0, 1e-6) << depth;
+  }
+}
+
 TEST(ReadProfile, LeavesOutWhatIsSeenFromTheSide) {
   const test::MeasuredLayer measured = test::inclinedLayer(0.0, 1, kWireBead);
   SensorProfile profile;

@@ -61,12 +61,13 @@ inline MeasuredLayer inclinedLayer(double angle_deg, std::size_t beads, const Be
   return measured;
 }
 
-/// Closed rings about z on a sphere, from 20 degrees off its pole on, the nozzle square to it. Waypoints lie
-/// on the middles and borders of cells.
-inline MeasuredLayer sphericalLayer(std::size_t rings, const Bead& bead, std::size_t number = 0) {
+/// Closed rings about z on a sphere, from so many degrees off its pole on, the nozzle square to it. Waypoints
+/// lie on the middles and borders of cells.
+inline MeasuredLayer sphericalLayer(std::size_t rings, const Bead& bead, std::size_t number = 0,
+                                    double from_deg = 20.0) {
   const double radius = kMeasuredRadius + static_cast<double>(number) * bead.height_mm;
   const auto polar = [=](std::size_t at) {
-    return 20.0 * M_PI / 180.0 + static_cast<double>(at) * bead.width_mm / kMeasuredRadius;
+    return from_deg * M_PI / 180.0 + static_cast<double>(at) * bead.width_mm / kMeasuredRadius;
   };
   const auto direction = [](double theta, double phi) {
     return Eigen::Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));

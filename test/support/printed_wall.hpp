@@ -78,9 +78,11 @@ struct PrintedWall {
   }
 };
 
-/// Means of a figure of all seeds from 1 to 5.
+/// Mean and greatest value of a figure of all seeds from 1 to 5.
 template <class Figure>
-double meanOfSeeds(WallCase wall, Figure figure);
+double meanOfSeeds(const WallCase& wall, Figure figure);
+template <class Figure>
+double worstOfSeeds(const WallCase& wall, Figure figure);
 
 class WallPrinter {
  public:
@@ -249,16 +251,32 @@ class WallPrinter {
 
 inline PrintedWall printedWall(const WallCase& wall) { return WallPrinter(wall).print(); }
 
+/// A figure of each seed from 1 to 5.
 template <class Figure>
-double meanOfSeeds(WallCase wall, Figure figure) {
+std::vector<double> figuresOfSeeds(WallCase wall, Figure figure) {
   constexpr int kSeeds = 5;
-  double sum = 0.0;
+  std::vector<double> figures;
+  figures.reserve(kSeeds);
   for (int seed = 1; seed <= kSeeds; ++seed) {
     wall.seed = static_cast<std::uint64_t>(seed);
     wall.plant.seed = seed;
-    sum += figure(printedWall(wall)) / kSeeds;
+    figures.push_back(figure(printedWall(wall)));
   }
+  return figures;
+}
+
+template <class Figure>
+double meanOfSeeds(const WallCase& wall, Figure figure) {
+  double sum = 0.0;
+  const std::vector<double> figures = figuresOfSeeds(wall, figure);
+  for (const double each : figures) sum += each / static_cast<double>(figures.size());
   return sum;
+}
+
+template <class Figure>
+double worstOfSeeds(const WallCase& wall, Figure figure) {
+  const std::vector<double> figures = figuresOfSeeds(wall, figure);
+  return *std::max_element(figures.begin(), figures.end());
 }
 
 /// A feeder that gives a tenth too little, soft ends, a slow wave, randomness, and levelling.

@@ -59,7 +59,7 @@ struct FoundPose {
 /// Finds the sensor's pose in recordings of targets.
 /// @param about          estimate of the pose, good to 10 mm and 5 deg [mm]
 /// @param time_offset_s  of the sensor's time stamps
-/// @throws InvalidInput as `fitSensorPose`
+/// @throws InvalidInput as `fitSensorPose`, or if none of the six directions is determined
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 

@@ -103,8 +103,10 @@ class HeightLoop {
   /// Updates a cell of the layer by a reading.
   /// @throws InvalidInput if the layer has no such cell
   ReadingOutcome see(std::size_t cell, const CellReading& reading);
+  /// Whether amounts are corrected by the lack of cross-section: in a pressed process.
+  bool readsSections() const { return settings_.process == LoopProcess::Pressed; }
   /// States the lack of cross-section measured at a cell, relative to the planned one; for a pressed process.
-  /// A value that is not finite has no effect.
+  /// Of several values in a layer the mean counts. A value that is not finite has no effect.
   /// @throws InvalidInput if the layer has no such cell
   void seeDeficit(std::size_t cell, double share);
   /// Ends a cloud: all readings since the last call belong to it. Contested readings that agree over a length
@@ -158,9 +160,9 @@ class HeightLoop {
   Eigen::Vector3d normal_;
   LayerCells cells_;
   std::vector<CellEstimate> estimates_;
-  std::vector<double> learnt_;   ///< amounts learnt from previous parts; empty if there are none
-  std::vector<double> deficit_;  ///< lack of cross-section, of a pressed process
-  std::vector<bool> is_section_seen_;
+  std::vector<double> learnt_;          ///< amounts learnt from previous parts; empty if there are none
+  std::vector<double> deficit_;         ///< lack of cross-section, of a pressed process
+  std::vector<int> sections_seen_;      ///< number of values of `deficit_` of the layer
   std::vector<double> applied_;         ///< correction of the layer
   double cloud_sigma_mm_ = 0.0;         ///< greatest standard deviation of the cloud's readings
   LayerKnowledge before_clouds_;        ///< what would be known if no cloud had shown the layer below

@@ -77,7 +77,8 @@ constexpr double kRegionReach = 10.0;
 
 constexpr std::uint32_t kNoCellBelow = 0xFFFFFFFFU;
 /// For each cell of a layer the nearest cell of the layer below, by distance in the plane perpendicular to
-/// the normal; `kNoCellBelow` if none lies within the width of the cell's bead.
+/// the normal; `kNoCellBelow` if none lies within the width of the cell's bead. A cell that does not grow
+/// along the normal has the cell nearest to the place a layer's height below it along its own growth.
 std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells& below,
                                       const Eigen::Vector3d& normal);
 

@@ -62,6 +62,16 @@ std::string worded(const char* format, Values... values) {
   return text;
 }
 
+/// What shows nothing would replace what an earlier recording has shown.
+void requireAnyDirection(const SensorPoseFit& fit, const SensorPoseSettings& how) {
+  if (!std::all_of(fit.is_kept.begin(), fit.is_kept.end(), [](bool is_kept) { return is_kept; })) return;
+  throw InvalidInput(
+      "none of the six directions of the sensor's place is determined, by " + std::to_string(fit.points) +
+      " points " + numberText(fit.rms_mm) +
+      " mm rms off their target; expected the target in view, from poses that show one of them to " +
+      numberText(how.max_sigma_mm) + " mm or " + numberText(how.max_sigma_deg) + " deg");
+}
+
 }  // namespace
 
 std::string timeMethod(const std::string& method) {
@@ -104,6 +114,7 @@ FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d
   how.noise_mm = settings.noise_mm;
   FoundPose found;
   found.fit = fitSensorPose(views, about, how);
+  requireAnyDirection(found.fit, how);
   found.pose.nozzle_from_sensor = found.fit.nozzle_from_sensor;
   found.pose.spread.assign(found.fit.sigma.begin(), found.fit.sigma.end());
   found.pose.not_found = directionsNotFound(found.fit);

@@ -236,6 +236,25 @@ LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell
   return cells;
 }
 
+namespace {
+
+/// How a cell looks for the one that it lies on.
+struct BelowQuery {
+  Point3 at = Point3::Zero();
+  bool is_tilted = false;  ///< whether the cell grows otherwise than its layer
+};
+
+/// Cells of layers that are not plane lie a layer's height above what they lie on along their own growth,
+/// which may be square to the layers' normal.
+BelowQuery belowQuery(const LayerCells& layer, std::size_t cell, const Eigen::Vector3d& normal) {
+  constexpr double kSameGrowth = 1e-9;
+  const Eigen::Vector3d& growth = layer.growth[cell];
+  if ((growth - normal).squaredNorm() <= kSameGrowth * kSameGrowth) return {layer.middle[cell], false};
+  return {layer.middle[cell] - layer.height_mm[cell] * growth, true};
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells& below,
                                       const Eigen::Vector3d& normal) {
   std::vector<std::uint32_t> found(layer.size(), kNoCellBelow);
@@ -251,7 +270,9 @@ std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells&
   for (const Point3& middle : below.middle) grid.insert(plane * middle);
   for (std::size_t i = 0; i < layer.size(); ++i) {
     double least = layer.width_mm[i] * layer.width_mm[i];
-    grid.visitNear(plane * layer.middle[i], layer.width_mm[i], [&](std::uint32_t cell, double squared) {
+    const BelowQuery query = belowQuery(layer, i, normal);
+    grid.visitNear(plane * query.at, layer.width_mm[i], [&](std::uint32_t cell, double squared) {
+      if (query.is_tilted) squared = (below.middle[cell] - query.at).squaredNorm();
       // Of cells that are equally near the one deposited first: kNoCellBelow is greater than all.
       if (squared > least || (squared == least && cell > found[i])) return;
       least = squared;

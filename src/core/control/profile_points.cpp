@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace lamina {
@@ -15,6 +16,7 @@ constexpr std::size_t kLeastRun = 3;       // points that are no spray
 constexpr double kSpraySigmas = 4.0;
 constexpr double kSprayLayers = 0.3;
 constexpr double kNearOverFar = 0.25;  // of depths of one sensor
+constexpr double kNearShare = 0.1;     // of points that may be nearer
 constexpr double kSameColumn = 0.25;   // of the way from ray to ray
 
 /// Whether a point is one: drivers send zeros in place of those that they miss.
@@ -94,27 +96,42 @@ std::vector<Point3> withoutSpray(std::vector<Point3> points, double bound) {
   return kept;
 }
 
-/// Points along one ray follow one another. Rays go out from the origin where the points lie far from it, as
-/// against the depth that they cover; else, depths being from elsewhere, no two points are of one ray.
-std::vector<std::size_t> columnsOf(const std::vector<Point3>& points) {
-  double least = std::numeric_limits<double>::infinity();
+/// The depth beyond which points say which ray they are of; none where the depths are from elsewhere than the
+/// origin. Few points that are nearer, or behind, are of some other light.
+std::optional<double> leastDepthOfRays(const std::vector<Point3>& points) {
   double greatest = 0.0;
-  for (const Point3& point : points) {
-    least = std::min(least, point.z());
-    greatest = std::max(greatest, point.z());
-  }
+  for (const Point3& point : points) greatest = std::max(greatest, point.z());
+  const double least = kNearOverFar * greatest;
+  const auto near = std::count_if(points.begin(), points.end(),
+                                  [least](const Point3& point) { return !(point.z() > least); });
+  if (static_cast<double>(near) > kNearShare * static_cast<double>(points.size())) return std::nullopt;
+  return least;
+}
+
+/// How far apart the directions of two points are, times both of their depths: 0 of one ray.
+double apart(const Point3& a, const Point3& b) { return std::abs(a.x() * b.z() - b.x() * a.z()); }
+
+/// How far apart the directions of points of one ray are at most.
+double widthOfColumn(const std::vector<Point3>& points, double least_depth) {
+  const auto is_far = [least_depth](const Point3& point) { return point.z() > least_depth; };
+  const auto first = std::find_if(points.begin(), points.end(), is_far);
+  const auto last = std::find_if(points.rbegin(), points.rend(), is_far);
+  const auto steps = std::distance(first, last.base()) - 1;
+  if (steps <= 0) return 0.0;
+  return kSameColumn * apart(*first, *last) / (first->z() * last->z() * static_cast<double>(steps));
+}
+
+/// Points along one ray follow one another. Rays go out from the origin where nearly all points lie far from
+/// it, as against the depth that they cover; else, depths being from elsewhere, no two points are of one ray.
+std::vector<std::size_t> columnsOf(const std::vector<Point3>& points) {
+  const std::optional<double> least_depth = leastDepthOfRays(points);
+  const double width = least_depth ? widthOfColumn(points, *least_depth) : 0.0;
   std::vector<std::size_t> columns(points.size() + 1);
   std::size_t count = 0;
-  const bool knows_rays = !points.empty() && least > kNearOverFar * greatest;
-  const auto apart = [](const Point3& a, const Point3& b) { return std::abs(a.x() * b.z() - b.x() * a.z()); };
-  const auto depths = [](const Point3& a, const Point3& b) { return a.z() * b.z(); };
-  double least_step = 0.0;
-  if (knows_rays && points.size() > 1)
-    least_step = kSameColumn * apart(points.front(), points.back()) /
-                 (depths(points.front(), points.back()) * static_cast<double>(points.size() - 1));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool is_same = knows_rays && i > 0 &&
-                         apart(points[i - 1], points[i]) < least_step * depths(points[i - 1], points[i]);
+    const bool is_same = width > 0.0 && i > 0 && points[i - 1].z() > *least_depth &&
+                         points[i].z() > *least_depth &&
+                         apart(points[i - 1], points[i]) < width * points[i - 1].z() * points[i].z();
     columns[count] = i;
     count += is_same ? 0 : 1;
   }

@@ -44,17 +44,10 @@ std::string missingCalibration(const LoopCalibration& calibration) {
   return {};
 }
 
-/// Sections are not read from profiles, so that of a pressed process the nozzle's height alone is corrected.
-std::string nothingToCorrect(const LoopSettings& settings) {
-  if (settings.process == LoopProcess::Free || settings.z != NozzleHeight::Plan) return {};
-  return "loop.process is pressed and loop.z is plan, by which nothing is corrected: the sections of beads "
-         "are not measured; expected loop.z layer, or loop.process free";
-}
-
 std::string noteOnAmounts(const LoopSettings& settings) {
   if (settings.process == LoopProcess::Free) return {};
-  return "loop.process is pressed: the nozzle's height is corrected, amounts stay as planned, since the "
-         "sections of beads are not measured";
+  return "loop.process is pressed: amounts are corrected where profiles show the sections of beads, by five "
+         "points across or more";
 }
 
 std::string refusal(const StabilityBound& bound) {
@@ -126,7 +119,6 @@ StabilityReport checkStability(const LoopSettings& settings, const LoopCalibrati
                            greatestGrowth(waveLoop(settings, calibration, report.low_pass_mm)),
                            kGrowthTolerated, false});
   report.reason = missingCalibration(calibration);
-  if (report.reason.empty()) report.reason = nothingToCorrect(settings);
   for (const StabilityBound& bound : report.bounds) {
     if (!report.reason.empty()) return report;
     const bool is_mended = bound.is_lower && report.low_pass_mm != settings.low_pass_mm;

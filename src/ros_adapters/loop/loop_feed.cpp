@@ -14,6 +14,7 @@
 #include "lamina/control/replanned_toolpath.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
+#include "tf/frames.hpp"
 #include "tf/transforms.hpp"
 
 namespace lamina {
@@ -72,6 +73,8 @@ void LoopFeed::add(const sensor_msgs::PointCloud2ConstPtr& cloud) {
     ++counts_.without_frame;
     return;
   }
+  if (calibrated_frame_.empty() || cloud->header.frame_id == names::kSensorFrame)
+    calibrated_frame_ = cloud->header.frame_id;
   ++counts_.waiting;
   ++waiting_of_[cloud->header.frame_id];
   waiting_bytes_ += bytesOfCloud(*cloud);
@@ -174,7 +177,7 @@ void LoopFeed::recalibrate(const LoopRunSettings& settings) {
 void LoopFeed::placeClouds() {
   std::set<std::string> ahead;  // frames that tf has not come up to
   // Of thousands of clouds that wait only the first of each frame is looked at.
-  for (auto cloud = waiting_.begin(); cloud != waiting_.end() && ahead.size() < framesToPlace();) {
+  for (auto cloud = waiting_.begin(); cloud != waiting_.end() && ahead.size() < waiting_of_.size();) {
     const std::string frame = placedBy(*cloud->second);
     if (ahead.count(frame) > 0 || !place(cloud->first, *cloud->second)) {
       ahead.insert(frame);
@@ -185,15 +188,14 @@ void LoopFeed::placeClouds() {
   }
 }
 
-/// The number of frames that tf has to place.
-std::size_t LoopFeed::framesToPlace() const {
-  return settings_.calibration.nozzle_from_sensor ? std::min<std::size_t>(1, waiting_of_.size())
-                                                  : waiting_of_.size();
+/// Whether it is of the sensor whose place at the nozzle was calibrated: others are where tf has them.
+bool LoopFeed::isCalibrated(const sensor_msgs::PointCloud2& cloud) const {
+  return settings_.calibration.nozzle_from_sensor && cloud.header.frame_id == calibrated_frame_;
 }
 
-/// The frame that tf has to place: the nozzle's where the sensor's place at it was calibrated.
+/// The frame that tf has to place.
 std::string LoopFeed::placedBy(const sensor_msgs::PointCloud2& cloud) const {
-  return settings_.calibration.nozzle_from_sensor ? names::kNozzleFrame : cloud.header.frame_id;
+  return isCalibrated(cloud) ? names::kNozzleFrame : cloud.header.frame_id;
 }
 
 /// Whether the cloud no longer waits.
@@ -207,8 +209,7 @@ bool LoopFeed::place(const ros::Time& taken, const sensor_msgs::PointCloud2& clo
     ++counts_.without_transform;
     return true;
   }
-  if (settings_.calibration.nozzle_from_sensor)
-    *bed_from_sensor = *bed_from_sensor * *settings_.calibration.nozzle_from_sensor;
+  if (isCalibrated(cloud)) *bed_from_sensor = *bed_from_sensor * *settings_.calibration.nozzle_from_sensor;
   try {
     run_->see({nanoseconds(taken), *bed_from_sensor, profilesFromMessage(cloud)});
     ++counts_.placed;

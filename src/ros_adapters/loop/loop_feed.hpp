@@ -33,6 +33,9 @@ struct FeedCounts {
 /// Passes one print after the other to the loop, from messages in the order in which they arrive, in a node
 /// or from a bag. Both use this class, so that both give exactly the same maps. tf may be behind the clouds
 /// by any time, and ahead of them by 30 s. If ROS time goes back, the print continues in the new time.
+///
+/// A calibrated place of the sensor holds for the clouds of frame `names::kSensorFrame`, or as long as none
+/// came, for those of the frame that came first. tf gives the place of all others.
 class LoopFeed {
  public:
   /// @param queue_mb  memory for clouds that wait for tf [1e6 bytes]
@@ -80,10 +83,10 @@ class LoopFeed {
   using Cloud = sensor_msgs::PointCloud2ConstPtr;
 
   std::optional<ros::Time> takenAt(const ros::Time& stamp) const;
+  bool isCalibrated(const sensor_msgs::PointCloud2& cloud) const;
   std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
   bool place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud);
   void placeClouds();
-  std::size_t framesToPlace() const;
   void pushOutOldest();
   void settle(const sensor_msgs::PointCloud2& cloud);
   std::size_t leaveOutWaiting();
@@ -92,7 +95,8 @@ class LoopFeed {
   LoopRunSettings settings_;
   double queue_bytes_;
   TransformSequence sequence_;
-  std::multimap<ros::Time, Cloud> waiting_;        ///< by time stamp
+  std::multimap<ros::Time, Cloud> waiting_;  ///< by time stamp
+  std::string calibrated_frame_;  ///< of the sensor that a calibrated place is that of; empty before a cloud
   std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;
   std::optional<ros::Time> heard_;         ///< to be reported once the transforms are passed on

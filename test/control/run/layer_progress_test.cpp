@@ -64,7 +64,7 @@ std::vector<Point3> line(double depth) { return std::vector<Point3>(40, Point3(0
 
 TEST(StuckWatch, NeedsProfilesThatAreTheSame) {
   StuckWatch watch;
-  for (int i = 0; i < 60; ++i) watch.see(line(60.0 + 1e-4 * (i % 2)));
+  for (int i = 0; i < 60; ++i) watch.see(line(60.0 + 1e-4 * i));
   EXPECT_EQ(watch.profiles(), 1) << "a tenth of a micrometre is news";
   for (int i = 0; i < 60; ++i) watch.see(line(60.0));
   EXPECT_GE(watch.profiles(), 60);
@@ -73,6 +73,20 @@ TEST(StuckWatch, NeedsProfilesThatAreTheSame) {
   EXPECT_GE(watch.profiles(), 60) << "out of range";
   watch.see(line(61.0));
   EXPECT_EQ(watch.profiles(), 1);
+}
+
+TEST(StuckWatch, KnowsSeveralSensorsThatAreStuck) {
+  StuckWatch watch;
+  for (int i = 0; i < 50; ++i) {
+    watch.see(line(60.0));
+    watch.see(line(70.0));
+    watch.see(line(80.0));
+  }
+  EXPECT_EQ(watch.profiles(), 148) << "all but the first two";
+  watch.see(line(61.0));
+  EXPECT_EQ(watch.profiles(), 1);
+  for (int i = 0; i < 60; ++i) watch.see(line(60.0 + 0.01 * i));
+  EXPECT_EQ(watch.profiles(), 1) << "news each";
 }
 
 TEST(StuckWatch, TakesZerosAndNoNumbersForNothing) {

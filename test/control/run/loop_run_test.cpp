@@ -175,6 +175,34 @@ TEST(LoopRun, SaysThatNoPoseIsKnown) {
   EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
 }
 
+TEST(LoopRun, SaysThatNoPoseEverCame) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 1;
+  LoopRun run(sensedWall(wall).part, wall.settings);
+  for (int i = 0; i <= 19; ++i) run.hear(wall.start_ns + i * 100'000'000LL);
+  EXPECT_TRUE(run.takeNews().alarms.empty());
+  run.hear(wall.start_ns + 2'100'000'000);
+  EXPECT_EQ(run.status().state, LoopState::Coasting);
+  EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
+}
+
+/// The clock of the machine is set back, not that of ROS: tf takes no transform that is so old.
+TEST(LoopRun, SaysThatNoPoseComesByAClockThatWasSetBack) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 1;
+  const SensedWall printed = sensedWall(wall);
+  LoopRun run(printed.part, wall.settings);
+  for (std::size_t i = 0; i < 50; ++i) run.observe(printed.tips[i]);
+  const std::int64_t last_ns = printed.tips[49].stamp_ns;
+  const std::int64_t back_ns = last_ns - 40'000'000'000;
+  run.hear(last_ns - 29'000'000'000);
+  run.hear(back_ns);
+  run.hear(back_ns + 1'900'000'000);
+  EXPECT_TRUE(run.takeNews().alarms.empty());
+  run.hear(back_ns + 2'100'000'000);
+  EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
+}
+
 TEST(LoopRun, IsBlockedWithoutCalibration) {
   SensedWallCase wall = wallCase();
   wall.settings.calibration.is_time_offset_trusted = false;

@@ -130,6 +130,41 @@ TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
   EXPECT_TRUE(isWithoutTransforms(feed));
 }
 
+/// A print whose sensor is calibrated and whose clouds come a second time, by a sensor half a metre beside
+/// it.
+std::uint64_t pointsUsed(const SensedWall& printed, LoopRunSettings settings, const std::string& second) {
+  settings.calibration.nozzle_from_sensor = test::sensorOfWall();
+  const test::SetTime time;
+  time.set(test::timeOf(printed.tips.back().stamp_ns));
+  LoopFeed feed(settings, 1000.0);
+  tf2_msgs::TFMessage beside = test::sensorMessage(Point3(500.0, 0.0, 0.0));
+  beside.transforms[0].child_frame_id = "second_sensor";
+  feed.addFixed(beside.transforms[0], "test");
+  feed.add(test::toolpathMessage(printed));
+  for (const SensedCloud& cloud : printed.clouds) {
+    auto first = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud));
+    auto other = boost::make_shared<sensor_msgs::PointCloud2>(*first);
+    other->header.frame_id = second;
+    if (!second.empty()) feed.add(other);
+    feed.add(first);
+  }
+  for (const StampedTip& tip : printed.tips) feed.add(test::nozzleMessage(tip).transforms[0], "test");
+  feed.finish();
+  EXPECT_EQ(feed.counts().without_transform + feed.counts().placed, feed.counts().received);
+  return feed.run()->counts().points.used;
+}
+
+/// What a camera sees elsewhere is not taken to lie below the calibrated sensor.
+TEST(LoopFeed, PlacesOnlyTheCalibratedSensorByItsCalibration) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.layers = 2;
+  const SensedWall printed = test::sensedWall(wall);
+  const std::uint64_t alone = pointsUsed(printed, wall.settings, "");
+  EXPECT_GT(alone, 1000U);
+  EXPECT_EQ(pointsUsed(printed, wall.settings, "second_sensor"), alone);
+}
+
 /// A driver that names a frame of which nobody told tf.
 TEST(LoopFeed, TellsCloudsOfAnUnknownFrameFromNoClouds) {
   test::SensedWallCase wall;

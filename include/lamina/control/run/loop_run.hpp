@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/control/bead_section.hpp"
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/fallen_watch.hpp"
@@ -19,6 +20,7 @@
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
 #include "lamina/control/run/offset_watch.hpp"
+#include "lamina/control/run/pose_watch.hpp"
 #include "lamina/control/run/sensor_motion.hpp"
 #include "lamina/control/run/solid_cells.hpp"
 #include "lamina/control/run/stamped_events.hpp"
@@ -264,6 +266,7 @@ class LoopRun {
   SolidCells solid_;
   std::optional<std::int64_t> cloud_ns_;
   std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
+  PoseWatch pose_watch_;
   StuckWatch stuck_;
   OffsetWatch offset_;
   OffsetLeft offset_left_;  ///< by the last layer that shows an offset

@@ -140,11 +140,10 @@ void LoopRun::finish() {
 
 void LoopRun::hear(std::int64_t stamp_ns) {
   heard_ns_ = stamp_ns;
-  const auto latest_tip_ns = events_.latestTip();
-  if (!latest_tip_ns || stamp_ns <= *latest_tip_ns) return;
-  const double blind_s = secondsFrom(*latest_tip_ns, stamp_ns);
+  const double blind_s = pose_watch_.hear(stamp_ns, events_.latestTip());
+  if (blind_s <= 0.0) return;
   // The last poses say whether the nozzle was scanning: nothing that comes brings them on any more.
-  if (blind_s > settings_.loop.silence_s) passUntil(*latest_tip_ns);
+  if (blind_s > settings_.loop.silence_s) passUntil(events_.latestTip().value_or(stamp_ns));
   watch(blind_s);
 }
 
@@ -334,6 +333,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
+    seeSections(*loop_, profile, atlas_, settings_.sight);
     if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(reading);
   }
@@ -374,7 +374,7 @@ void LoopRun::use(const LayerReading& reading) {
 
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
-  seen.is_scanning = progress_.place().is_scanning;
+  seen.is_scanning = progress_.place().is_scanning || pose_watch_.isWithoutPose();
   // Of clouds that come, and that tf does not place, the sensor is not the cause.
   const bool hears = heard_ns_ && tip_ns_ && secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
   seen.silent_s = hears ? 0.0 : silent_s_;
