@@ -251,8 +251,10 @@ void CellController::change(const lamina_msgs::ChangeQueue::Request& request) {
       return journal_.moveToFront(request.job, request.source, utc_s);
     case Request::REMOVE:
       return journal_.remove(request.job, request.source, utc_s);
+    case Request::MOVE:
+      return journal_.moveTo(request.job, request.place, request.source, utc_s);
     default:
-      throw InvalidInput("change is " + std::to_string(request.change) + "; expected 0 to 3");
+      throw InvalidInput("change is " + std::to_string(request.change) + "; expected 0 to 4");
   }
 }
 
