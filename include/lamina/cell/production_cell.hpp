@@ -119,6 +119,9 @@ class ProductionCell {
   /// Whether a job was cut off for which it is not decided yet whether it is resumed.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
+  /// The reasons against a start of the next job, as far as they show without reading its files.
+  std::vector<UnmetGuard> againstNext(const CellSurroundings& found) const;
+
   /// Answers a command and follows it if it is accepted; answer and command are written into the journal.
   /// @param found    conditions of the guards at present
   /// @param cut_off  for Start: what to do with a job that was cut off
@@ -150,8 +153,11 @@ class ProductionCell {
     double written_s = 0.0;
     std::size_t unwritten = 0;
   };
+  enum class FileCheck : std::uint8_t { None, Whole };
   std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
                                 CutOffJob cut_off) const;
+  std::vector<UnmetGuard> againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
+                                           FileCheck files) const;
   void settle(CellTime now);
   void pauseAgain(CellTime now);
   void followPause(CellTime now);

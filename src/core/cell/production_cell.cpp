@@ -215,6 +215,15 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
   if (request.command != UnitCommand::Start || unit.state != UnitState::Idle ||
       request.expected_sequence.value_or(unit.sequence) != unit.sequence)
     return {};
+  return againstBeginning(found, cut_off, FileCheck::Whole);
+}
+
+std::vector<UnmetGuard> ProductionCell::againstNext(const CellSurroundings& found) const {
+  return againstBeginning(found, CutOffJob::Undecided, FileCheck::None);
+}
+
+std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
+                                                         FileCheck files) const {
   StartConditions conditions = found.start;
   conditions.mode = unit_.status().mode;
   conditions.is_part_removed = conditions.is_part_removed && !is_part_on_plate_;
@@ -237,7 +246,7 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
   }
   conditions.job = job ? job->name : "";
   conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;
-  if (job) conditions.torn = artefacts_.torn(job->artefacts);
+  if (job && files == FileCheck::Whole) conditions.torn = artefacts_.torn(job->artefacts);
   for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
   return against;
 }
