@@ -61,6 +61,9 @@ struct ExecutorReport {
   ExecutionProgress progress;
   int alarm = 0;        ///< ID of the alarm that ended the job; 0 if none did, or it has not ended
   std::string failure;  ///< that alarm in a sentence
+  /// Whether the executor has ended the job by stopping its machine, so that motions are lost that the
+  /// machine had accepted: such a job cannot be resumed.
+  bool has_lost_motions = false;
 };
 
 /// Runs jobs on the machine by orders of the cell. Orders return at once; their effect is reported later.
@@ -194,6 +197,8 @@ class ProductionCell {
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;
   std::string operator_;
+  /// Execution that was cut off with the loss of motions that the machine had accepted; 0 for none.
+  std::int64_t lost_motions_of_ = 0;
   double progress_written_s_ = 0.0;
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;
