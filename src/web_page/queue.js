@@ -12,6 +12,10 @@ function button(word, kind, job, act) {
 }
 
 function jobRow(job) {
+  const moveBy = (step) => (event) => {
+    const place = Number(event.currentTarget.closest("li").dataset.place) + step;
+    tried(post(`/api/v1/jobs/${job.id}/move`, { place }));
+  };
   const change = (what) => () => tried(post(`/api/v1/jobs/${job.id}/${what}`));
   const removeJob = async () => {
     const answers = [{ value: "yes", label: texts.remove, kind: "stop" }];
@@ -24,22 +28,28 @@ function jobRow(job) {
       button(texts.release, "primary", job, change("release")),
       button(texts.revoke, "", job, change("revoke")),
       button(texts.move, "", job, change("move")),
+      button(texts.earlier, "", job, moveBy(-1)),
+      button(texts.later, "", job, moveBy(1)),
       button(texts.remove, "", job, removeJob)));
 }
 
-function updateJob(row, job, isFirst, mayOperate) {
+function updateJob(row, job, { place, places }, mayOperate) {
   const [title, detail] = row.firstChild.children;
-  const [releaseIt, revokeIt, moveIt, removeIt] = row.lastChild.children;
+  const [releaseIt, revokeIt, moveIt, earlierIt, laterIt, removeIt] = row.lastChild.children;
   setText(title, job.name);
   const details = [texts.job_states[job.state] ?? job.state, texts.job_by(job.created_by)];
   if (job.released_by) details.push(texts.job_released(job.released_by));
   setText(detail, details.join(", "));
   row.dataset.state = job.state;
+  row.dataset.place = place;
   const waits = job.state === "NotAllowedToStart";
   const isReleased = job.state === "AllowedToStart";
   hide(releaseIt, !mayOperate || !waits, row);
   hide(revokeIt, !mayOperate || !isReleased, row);
-  hide(moveIt, !mayOperate || isFirst || !(waits || isReleased), row);
+  const mayMove = mayOperate && (waits || isReleased);
+  hide(moveIt, !mayMove || place === 1, row);
+  hide(earlierIt, !mayMove || place <= 2, row); // the second is moved to the front
+  hide(laterIt, !mayMove || place === places, row);
   hide(removeIt, !mayOperate || !(waits || isReleased), row);
 }
 
@@ -54,8 +64,10 @@ function hide(target, isHidden, row) {
 export function showQueue(jobs, rights) {
   byId("no-jobs").hidden = jobs.length > 0;
   byId("upload-form").hidden = !rights.upload;
-  const first = jobs.length ? jobs[0].id : 0;
-  syncRows(byId("job-list"), jobs, (job) => job.id, jobRow, (row, job) => updateJob(row, job, job.id === first, rights.operate));
+  const places = jobs.length;
+  const placeOf = new Map(jobs.map((job, index) => [job.id, index + 1]));
+  syncRows(byId("job-list"), jobs, (job) => job.id, jobRow, 
+    (row, job) => updateJob(row, job, { place: placeOf.get(job.id), places }, rights.operate));
 }
 
 export function showRequests(requests, mayOperate) {

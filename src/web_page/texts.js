@@ -37,6 +37,8 @@ export const texts = {
   release: "Release",
   revoke: "Take back",
   move: "To the front",
+  earlier: "Earlier",
+  later: "Later",
   remove: "Remove",
   of_job: (word, name) => `${word}: ${name}`,
   job_by: (by) => `from ${by}`,

@@ -59,6 +59,7 @@ class PrintingExecutor final : public Executor {
         break;
       case ExecutorPhase::Stopping:
         report.phase = ExecutorPhase::Resting;
+        report.has_lost_motions = report.progress.taken_through > 0;
         break;
       case ExecutorPhase::Running:
         if (report.progress.taken_through == 0) ++begun[report.program];
@@ -71,6 +72,11 @@ class PrintingExecutor final : public Executor {
       default:
         break;
     }
+  }
+  /// Ends the job by stopping the machine in good order, as a streamer whose process is asked to end.
+  void end(int alarm, const std::string& why) {
+    fail(alarm, why);
+    report.has_lost_motions = true;
   }
   void fail(int alarm, const std::string& failure) {
     report.phase = ExecutorPhase::Resting;

@@ -150,6 +150,80 @@ TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::GuardFailed) << "it is still pressed";
 }
 
+/// Acknowledges what is there and brings the unit to Idle.
+void recover(Cell& cell) {
+  for (const ActiveAlarm& alarm : std::vector<ActiveAlarm>(cell.run().status().alarms.all())) {
+    cell.run().end(alarm.id, cell.now);
+    cell.run().acknowledge(alarm.id, "anna", cell.now);
+  }
+  if (cell.state() == UnitState::Aborted) cell.command(UnitCommand::Clear);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  bringToIdle(cell);
+}
+
+/// The first job of a stopped machine is not resumed, but it may be discarded; the next one starts.
+void expectDiscardOnly(Cell& cell, std::int64_t job) {
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("lost motions"), std::string::npos) << cell.answer.reason;
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
+  EXPECT_EQ(cell.executor.orders.front(), "start");
+  EXPECT_EQ(cell.executor.resumed.size(), 0U);
+  const std::int64_t next = cell.enqueue("b.gcode");
+  cell.run().confirmRemoval("anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted)
+      << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
+  EXPECT_EQ(cell.journal().job(next).state, JobState::Ended);
+}
+
+TEST(ProductionCell, ResumesNoJobWhoseMachineWasStoppedWithIt) {
+  {
+    Cell cell;
+    const std::int64_t job = bringToExecute(cell);
+    cell.step();
+    cell.executor.end(2202, "the node was ended");
+    ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+    recover(cell);
+    expectDiscardOnly(cell, job);
+  }
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  cell.step();
+  cell.run().raise(1207, 0.0, "", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  recover(cell);
+  expectDiscardOnly(cell, job);
+}
+
+TEST(ProductionCell, RemembersOverARestartThatMotionsAreLost) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  cell.step();
+  cell.run().raise(1207, 0.0, "", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  cell.kill();
+  cell.start();
+  EXPECT_EQ(cell.state(), UnitState::Aborted);
+  recover(cell);
+  expectDiscardOnly(cell, job);
+}
+
+TEST(ProductionCell, ResumesAJobThatWasStoppedBeforeItsFirstLine) {
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t job = cell.enqueue("a.gcode");
+  cell.command(UnitCommand::Start);
+  ASSERT_EQ(cell.state(), UnitState::Starting);
+  cell.run().raise(1207, 0.0, "", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  recover(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted)
+      << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+}
+
 TEST(ProductionCell, TakesThePlateToBeOccupiedWhenTheJournalIsLost) {
   Cell cell;
   EXPECT_FALSE(cell.run().isPartOnPlate());

@@ -120,6 +120,33 @@ TEST(CellJournal, OrdersTheQueueAsOperatorsMoveIt) {
   EXPECT_THROW(journal.revoke(second, "anna", 4.0), InvalidInput);
 }
 
+TEST(CellJournal, MovesAJobToAnyPlaceOfTheQueue) {
+  const ScratchFolder folder;
+  CellJournal journal(journalIn(folder));
+  std::vector<std::int64_t> jobs;
+  jobs.reserve(4);
+  for (int i = 0; i < 4; ++i) jobs.push_back(journal.addJob(bracket(), 1.0));
+  journal.remove(jobs[1], "anna", 2.0);
+  const auto order = [&journal] {
+    std::vector<std::int64_t> ids;
+    for (const QueuedJob& job : journal.queue()) ids.push_back(job.id);
+    return ids;
+  };
+  journal.moveTo(jobs[0], 2, "anna", 3.0);
+  EXPECT_EQ(order(), (std::vector<std::int64_t>{jobs[2], jobs[0], jobs[3]}));
+  journal.moveTo(jobs[3], 1, "anna", 4.0);
+  EXPECT_EQ(order(), (std::vector<std::int64_t>{jobs[3], jobs[2], jobs[0]}));
+  journal.moveTo(jobs[3], 3, "anna", 5.0);
+  EXPECT_EQ(order(), (std::vector<std::int64_t>{jobs[2], jobs[0], jobs[3]}));
+  EXPECT_THROW(journal.moveTo(jobs[0], 0, "anna", 6.0), InvalidInput);
+  EXPECT_THROW(journal.moveTo(jobs[0], 4, "anna", 6.0), InvalidInput);
+  EXPECT_THROW(journal.moveTo(jobs[1], 1, "anna", 6.0), InvalidInput) << "it was removed";
+  EXPECT_EQ(order(), (std::vector<std::int64_t>{jobs[2], jobs[0], jobs[3]}));
+  const std::int64_t last = journal.addJob(bracket(), 7.0);
+  EXPECT_EQ(order().back(), last) << "a new job comes last";
+  EXPECT_FALSE(journal.firstBadAudit());
+}
+
 TEST(CellJournal, KeepsWhatHappened) {
   const ScratchFolder folder;
   {

@@ -56,6 +56,9 @@ class FakeDesk final : public CellDesk {
     return take("change " + std::to_string(static_cast<int>(change)) + " of " + std::to_string(job) + " by " +
                 source);
   }
+  DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) override {
+    return take("move " + std::to_string(job) + " to " + std::to_string(place) + " by " + source);
+  }
   DeskAnswer acknowledge(int alarm, const std::string& source) override {
     return take("acknowledge " + std::to_string(alarm) + " by " + source);
   }

@@ -328,6 +328,22 @@ TEST(OperatorSite, RefusesNumbersOfJobsThatMessagesDoNotCarry) {
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/4294967295/release", page).status, 200);
 }
 
+TEST(OperatorSite, MovesJobsToThePlaceThatTheBodyNames) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  const auto move = [&](const std::string& body) {
+    return site.ask(HttpMethod::Post, "/api/v1/jobs/12/move", page, body).status;
+  };
+  EXPECT_EQ(move(""), 200);
+  EXPECT_EQ(move(R"({"place": 3})"), 200);
+  EXPECT_EQ(site.desk.orders(), (std::vector<std::string>{"change 2 of 12 by page: this host",
+                                                          "move 12 to 3 by page: this host"}));
+  for (const char* wrong : {R"({"place": 0})", R"({"place": -1})", R"({"place": 1.5})", R"({"place": "2"})",
+                            R"({"place": 99999999999999999999})"})
+    EXPECT_EQ(move(wrong), 400) << wrong;
+  EXPECT_EQ(site.desk.orders().size(), 2U);
+}
+
 TEST(OperatorSite, GivesSendersTheStateOnly) {
   SiteOfFakes site(closedLoopback());
   site.desk.seen.queue.push_back({3, "part.gcode", "", "", "", JobState::AllowedToStart, "anna", "anna"});

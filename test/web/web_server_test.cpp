@@ -217,6 +217,31 @@ TEST(WebServer, RefusesBodiesThatAreTooLarge) {
   EXPECT_TRUE(fakes.site.desk.orders().empty());
 }
 
+// Cura's plugin shows what an answer says only if its Content-Type is "text/plain" to the letter.
+TEST(WebServer, SaysToSlicersInPlainTextWhyAnUploadIsRefused) {
+  SiteSettings small;
+  small.most_upload_bytes = 1000;
+  ServerOfFakes fakes(small);
+  fakes.site.desk.next = {DeskAnswer::Outcome::BadInput, 13, "line 1: X has no number", 0};
+  const std::string form = formOf("b", "G1 Xa");
+  const auto bodyOf = [](const std::string& answer) { return answer.substr(answer.find("\r\n\r\n") + 4); };
+  const std::string text = fakes.ask(postForm(form) + form);
+  EXPECT_EQ(statusIn(text), 400);
+  EXPECT_NE(text.find("\r\nContent-Type: text/plain\r\n"), std::string::npos) << text;
+  EXPECT_EQ(bodyOf(text), "line 1: X has no number");
+  const std::string asked = fakes.ask(postForm(form, "Accept: application/json\r\n") + form);
+  EXPECT_EQ(nlohmann::json::parse(bodyOf(asked))["message"], "line 1: X has no number");
+  const std::string large = formOf("b", std::string(2000, 'x'));
+  const std::string refused = fakes.ask(postForm(large) + large);
+  EXPECT_EQ(statusIn(refused), 413);
+  EXPECT_EQ(bodyOf(refused).find("the upload has "), 0U) << refused;
+  const std::string broken = "--b\r\nno form\r\n--b--\r\n";
+  EXPECT_NE(fakes.ask(postForm(broken) + broken).find("\r\nContent-Type: text/plain\r\n"), std::string::npos);
+  EXPECT_NE(fakes.ask("POST /api/job HTTP/1.1\r\nHost: localhost\r\nContent-Length: 70000\r\n\r\n")
+                .find("application/json"),
+            std::string::npos);
+}
+
 // Programs that send all of a file before they read would see a broken pipe, and not why.
 TEST(WebServer, SaysHowLargeAFileMayBeToWhoSendsOn) {
   SiteSettings small;

@@ -61,6 +61,9 @@ struct ExecutorReport {
   ExecutionProgress progress;
   int alarm = 0;        ///< ID of the alarm that ended the job; 0 if none did, or it has not ended
   std::string failure;  ///< that alarm in a sentence
+  /// Whether the executor has ended the job by stopping its machine, so that motions are lost that the
+  /// machine had accepted: such a job cannot be resumed.
+  bool has_lost_motions = false;
 };
 
 /// Runs jobs on the machine by orders of the cell. Orders return at once; their effect is reported later.
@@ -119,6 +122,9 @@ class ProductionCell {
   /// Whether a job was cut off for which it is not decided yet whether it is resumed.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
+  /// The reasons against a start of the next job, as far as they show without reading its files.
+  std::vector<UnmetGuard> againstNext(const CellSurroundings& found) const;
+
   /// Answers a command and follows it if it is accepted; answer and command are written into the journal.
   /// @param found    conditions of the guards at present
   /// @param cut_off  for Start: what to do with a job that was cut off
@@ -150,8 +156,11 @@ class ProductionCell {
     double written_s = 0.0;
     std::size_t unwritten = 0;
   };
+  enum class FileCheck : std::uint8_t { None, Whole };
   std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
                                 CutOffJob cut_off) const;
+  std::vector<UnmetGuard> againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
+                                           FileCheck files) const;
   void settle(CellTime now);
   void pauseAgain(CellTime now);
   void followPause(CellTime now);
@@ -188,6 +197,8 @@ class ProductionCell {
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;
   std::string operator_;
+  /// Execution that was cut off with the loss of motions that the machine had accepted; 0 for none.
+  std::int64_t lost_motions_of_ = 0;
   double progress_written_s_ = 0.0;
   std::int32_t layer_written_ = -1;
   double counters_written_s_ = 0.0;

@@ -153,6 +153,9 @@ class CellJournal {
   /// Moves a job to the front of the queue.
   /// @throws InvalidInput if it is not in the queue
   void moveToFront(std::int64_t id, const std::string& by, double time_s);
+  /// Moves a job to a place in the queue, counted from 1 in the order of `queue`.
+  /// @throws InvalidInput if it is not in the queue, or the queue has no such place
+  void moveTo(std::int64_t id, std::int64_t place, const std::string& by, double time_s);
   /// Removes a job from the queue. Its executions stay in the journal.
   /// @throws InvalidInput if it is not in the queue, is running or is interrupted
   void remove(std::int64_t id, const std::string& by, double time_s);

@@ -191,6 +191,8 @@ class CellDesk {
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;
   virtual DeskAnswer enqueue(const DeskProgram& program) = 0;
   virtual DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) = 0;
+  /// Moves a job to a place in the queue, from 1.
+  virtual DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) = 0;
   virtual DeskAnswer acknowledge(int alarm, const std::string& source) = 0;
   virtual DeskAnswer confirmRemoval(const std::string& source) = 0;
   virtual DeskAnswer startup(StartupCommand command, const std::string& step) = 0;

@@ -18,6 +18,10 @@ constexpr int kEmergencyStop = 1207;
 constexpr int kJournalDamaged = 7001;
 constexpr int kJournalNotWritable = 7003;
 constexpr char kPartOnPlate[] = "part_on_plate";
+constexpr char kLostMotionsOf[] = "lost_motions_of";  // an execution
+constexpr char kMotionsAreLost[] =
+    "the machine was stopped with the job, and has lost motions that it had accepted; discard the job, and "
+    "print its rest as a program of lamina resume";
 constexpr double kProgressInterval = 0.1;   // [s] between two commits
 constexpr double kCountersInterval = 10.0;  // [s]
 constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not be written
@@ -140,6 +144,8 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
   const auto counters = journal_.counters();
   const auto on_plate = counters.find(kPartOnPlate);
   is_part_on_plate_ = on_plate != counters.end() && on_plate->second > 0.0;
+  const auto lost = counters.find(kLostMotionsOf);
+  if (lost != counters.end()) lost_motions_of_ = static_cast<std::int64_t>(lost->second);
   if (is_running_)
     report_ = *seen;
   else if (seen)
@@ -215,6 +221,15 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
   if (request.command != UnitCommand::Start || unit.state != UnitState::Idle ||
       request.expected_sequence.value_or(unit.sequence) != unit.sequence)
     return {};
+  return againstBeginning(found, cut_off, FileCheck::Whole);
+}
+
+std::vector<UnmetGuard> ProductionCell::againstNext(const CellSurroundings& found) const {
+  return againstBeginning(found, CutOffJob::Undecided, FileCheck::None);
+}
+
+std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
+                                                         FileCheck files) const {
   StartConditions conditions = found.start;
   conditions.mode = unit_.status().mode;
   conditions.is_part_removed = conditions.is_part_removed && !is_part_on_plate_;
@@ -233,11 +248,13 @@ std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const 
     const bool has_begun = journal_.open()->progress.taken_through > 0;
     if (cut_off == CutOffJob::Resume && has_begun && !is_part_on_plate_)
       against.push_back({1311, "the part that was cut off was taken away; discard its job"});
+    if (cut_off == CutOffJob::Resume && execution_ == lost_motions_of_)
+      against.push_back({1313, kMotionsAreLost});
     if (cut_off == CutOffJob::Resume) conditions.is_part_removed = true;
   }
   conditions.job = job ? job->name : "";
   conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;
-  if (job) conditions.torn = artefacts_.torn(job->artefacts);
+  if (job && files == FileCheck::Whole) conditions.torn = artefacts_.torn(job->artefacts);
   for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
   return against;
 }
@@ -481,6 +498,7 @@ void ProductionCell::close(JobState outcome, const std::string& reason, CellTime
   const bool is_cut_off = outcome == JobState::Aborted && is_running_ && !is_given_up_;
   is_running_ = false;
   if (report_.progress.taken_through > 0) is_part_on_plate_ = true;
+  if (is_cut_off && report_.has_lost_motions) lost_motions_of_ = *execution_;
   write(now, [&] {
     if (!is_cut_off) return writeEnd(outcome, reason, now);
     journal_.together([&] {
@@ -510,6 +528,7 @@ std::string ProductionCell::programOf(const QueuedJob& job) const {
 void ProductionCell::keepCounters() {
   auto named = namedCounters(unit_.status().counters);
   named[kPartOnPlate] = is_part_on_plate_ ? 1.0 : 0.0;
+  named[kLostMotionsOf] = static_cast<double>(lost_motions_of_);
   journal_.setCounters(named);
 }
 

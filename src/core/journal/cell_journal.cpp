@@ -249,6 +249,34 @@ void CellJournal::moveToFront(std::int64_t id, const std::string& by, double tim
   transaction.commit();
 }
 
+void CellJournal::moveTo(std::int64_t id, std::int64_t place, const std::string& by, double time_s) {
+  Transaction transaction(store_->database);
+  std::vector<std::int64_t> ids;
+  std::vector<std::int64_t> positions;
+  const std::vector<QueuedJob> jobs = queue();
+  ids.reserve(jobs.size());
+  positions.reserve(jobs.size());
+  for (const QueuedJob& job : jobs) {
+    ids.push_back(job.id);
+    positions.push_back(job.position);
+  }
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end()) throw InvalidInput("job " + std::to_string(id) + " is not in the queue");
+  if (place < 1 || place > static_cast<std::int64_t>(ids.size()))
+    throw InvalidInput("job " + std::to_string(id) + " cannot be moved to place " + std::to_string(place) +
+                       "; expected 1 to " + std::to_string(ids.size()));
+  ids.erase(found);
+  ids.insert(ids.begin() + place - 1, id);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    store_->database.prepare("UPDATE job SET position = ? WHERE id = ?")
+        .bind(positions[i])
+        .bind(ids[i])
+        .run();
+  store_->addAudit(
+      {time_s, by, "", "move job " + std::to_string(id) + " to place " + std::to_string(place), "done"});
+  transaction.commit();
+}
+
 void CellJournal::remove(std::int64_t id, const std::string& by, double time_s) {
   Transaction transaction(store_->database);
   const auto state = store_->stateOf(id);

@@ -57,7 +57,22 @@ WebResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
 
 WebResponse releaseJob(SiteCall& call) { return changeJob(call, QueueChange::Release, "release"); }
 WebResponse revokeJob(SiteCall& call) { return changeJob(call, QueueChange::Revoke, "revoke"); }
-WebResponse moveJob(SiteCall& call) { return changeJob(call, QueueChange::MoveToFront, "move to the front"); }
+
+/// To the place of the body, or to the front if it names none.
+WebResponse moveJob(SiteCall& call) {
+  const json body = bodyObject(call);
+  const auto place = body.find("place");
+  if (place == body.end()) return changeJob(call, QueueChange::MoveToFront, "move to the front");
+  constexpr std::int64_t kMostPlaces = 1000000;
+  if (!place->is_number_integer() || place->get<std::int64_t>() < 1 ||
+      place->get<std::int64_t>() > kMostPlaces)
+    throw InvalidInput("place is " + place->dump() + "; expected a whole number from 1 to 1000000");
+  const std::int64_t number = place->get<std::int64_t>();
+  const DeskAnswer answer = call.parts.desk.moveJob(jobNumber(call.value(0)), number, call.source());
+  return noted(orderAnswer(call, answer),
+               "move job " + call.value(0) + " to place " + std::to_string(number));
+}
+
 WebResponse removeJob(SiteCall& call) { return changeJob(call, QueueChange::Remove, "remove"); }
 
 WebResponse getStartup(SiteCall& call) {

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "web/response_text.hpp"
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "lamina/base/text_search.hpp"
+
 namespace lamina {
 
 std::string headText(const WebResponse& response, bool is_kept) {
@@ -31,6 +36,23 @@ WebResponse plainError(int status, const std::string& code, const std::string& m
   WebResponse response;
   response.status = status;
   response.body = R"({"code":")" + code + R"(","message":")" + message + "\"}";
+  return response;
+}
+
+bool isShownAsText(const HttpHead& request) {
+  return request.method == HttpMethod::Post && request.target.rfind("/api/files/", 0) == 0 &&
+         !contains(request.header("accept"), "application/json");
+}
+
+WebResponse errorAsText(WebResponse response) {
+  constexpr int kFirstError = 400;
+  if (response.status < kFirstError) return response;
+  const auto value = nlohmann::json::parse(response.body, nullptr, false);
+  if (!value.is_object()) return response;
+  const auto message = value.find("message");
+  if (message == value.end() || !message->is_string()) return response;
+  response.body = message->get<std::string>();
+  response.type = "text/plain";
   return response;
 }
 

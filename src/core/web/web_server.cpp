@@ -170,8 +170,9 @@ class Connection {
   }
 
   bool answer(const WebResponse& response, bool is_kept) {
+    const WebResponse shown = is_shown_as_text_ ? errorAsText(response) : response;
     // As one, so that the time is that of the whole answer.
-    return send(headText(response, is_kept) + response.body) && is_kept;
+    return send(headText(shown, is_kept) + shown.body) && is_kept;
   }
 
   bool refuse(int status, const std::string& code, const std::string& message) {
@@ -183,6 +184,7 @@ class Connection {
   bool serveRequest() {
     const WebTimeouts& patience = place_.settings.patience;
     place_.table.use(number_, ConnectionUse::Waiting);
+    is_shown_as_text_ = false;
     if (buffer_.size() == 0 && !socket_.waitForBytes(patience.idle_s)) return false;
     Parser parser;
     parser.header_limit(kMostHeader);
@@ -202,6 +204,7 @@ class Connection {
     place_.table.use(number_, ConnectionUse::Answering);
     const auto head = requestHead(parser.get(), peer_);
     if (!head) return refuse(400, "bad_request", "a header that may stand once stands twice");
+    is_shown_as_text_ = isShownAsText(*head);
     auto admission = place_.site.admit(*head, timeNow());
     const bool is_kept = parser.get().keep_alive();
     if (const auto* refused = std::get_if<WebResponse>(&admission))
@@ -407,6 +410,7 @@ class Connection {
   PeerReader reader_;
   SteadyClock clock_;
   boost::beast::flat_buffer buffer_{kMostBuffered};
+  bool is_shown_as_text_ = false;  ///< errors of the request that is being answered
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ constexpr int kSilentTicks = 5;
 constexpr char kRemoteAccess[] = "remote_access";  // among the numbers that the journal keeps
 constexpr char kLocalStart[] = "local_start_due";  // there, too
 constexpr char kPlc[] = "plc";
+constexpr char kQueue[] = "queue";
 constexpr double kFeedInterval = 1.0;  // [s] between two tries of a speed that was refused
 constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
@@ -83,9 +84,11 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       artefacts_(settings.folder + "/artefacts"),
       care_(journal_, settings.folder, settings.care),
       executor_(node, [this](const ExecutorReport& report) { onReport(report); }),
-      plc_(node, watchedPlc(settings), [this] {
-        if (cell_) onTick();
-      }) {
+      plc_(node, watchedPlc(settings),
+           [this] {
+             if (cell_) onTick();
+           }),
+      queue_follower_(settings.advance) {
   const auto numbers = journal_.counters();
   const auto remote = numbers.find(kRemoteAccess);
   is_remote_allowed_ = remote != numbers.end() && remote->second > 0.0;
@@ -251,8 +254,10 @@ void CellController::change(const lamina_msgs::ChangeQueue::Request& request) {
       return journal_.moveToFront(request.job, request.source, utc_s);
     case Request::REMOVE:
       return journal_.remove(request.job, request.source, utc_s);
+    case Request::MOVE:
+      return journal_.moveTo(request.job, request.place, request.source, utc_s);
     default:
-      throw InvalidInput("change is " + std::to_string(request.change) + "; expected 0 to 3");
+      throw InvalidInput("change is " + std::to_string(request.change) + "; expected 0 to 4");
   }
 }
 
@@ -339,6 +344,7 @@ void CellController::followTime() {
   followPlc(at);
   cell_->tick(at);
   if (intake_->addTo(journal_, at.utc_s)) is_queue_published_ = false;
+  followQueue(at);
   followExecution();
   followTimeLeft();
   followSpeed(at);
@@ -379,6 +385,14 @@ void CellController::followPlc(CellTime now) {
       cell_->command({*demands.command, kPlc, std::nullopt, {}}, surroundings(), CutOffJob::Undecided, now);
   ROS_INFO_STREAM(toString(*demands.command)
                   << " by what the PLC says: " << (answer.reason.empty() ? "accepted" : answer.reason));
+}
+
+void CellController::followQueue(CellTime now) {
+  const std::string before = queue_follower_.waitsFor();
+  const auto look = [this] { return StartOutlook{surroundings(), againstStart(kQueue)}; };
+  queue_follower_.follow(*cell_, look, now);
+  const std::string& waits_for = queue_follower_.waitsFor();
+  if (!waits_for.empty() && waits_for != before) ROS_INFO_STREAM("the queue waits: " << waits_for);
 }
 
 void CellController::careForJournal(CellTime now) {

@@ -17,6 +17,7 @@
 #include "journal_care.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/cell/production_cell.hpp"
+#include "lamina/cell/queue_follower.hpp"
 #include "lamina/cell/time_left.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
@@ -57,6 +58,7 @@ class CellController {
   void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
 
   void followPlc(CellTime now);
+  void followQueue(CellTime now);
   void followSpeed(CellTime now);
   void followExecution();
   void followTimeLeft();
@@ -93,6 +95,7 @@ class CellController {
   JournalCare care_;
   StreamExecutor executor_;
   PlcDesk plc_;
+  QueueFollower queue_follower_;
   std::unique_ptr<ProductionCell> cell_;
   std::unique_ptr<JobIntake> intake_;
   std::vector<ros::ServiceServer> services_;

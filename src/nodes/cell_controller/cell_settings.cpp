@@ -25,6 +25,10 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
   schema.flag(
       "packml.hold_anywhere", settings.is_held_on_the_way,
       "Whether Hold is accepted in Starting, Unholding, Suspending, Suspended and Unsuspending, too.");
+  schema.choice(
+      "queue.advance", settings.advance, {{"ask", QueueAdvance::Ask}, {"automatic", QueueAdvance::Automatic}},
+      "What begins the next job of the queue after a part: a person or the PLC, or the queue itself "
+      "once the part was taken away.");
   schema.flag(
       "start.local_after_estop", settings.is_start_local_after_stop,
       "Whether the first Start after the PLC has reported the emergency stop has to come from somebody else "

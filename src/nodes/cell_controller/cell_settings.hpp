@@ -7,6 +7,7 @@
 #include "journal_care.hpp"
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/plc_watch.hpp"
+#include "lamina/cell/queue_follower.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 
 namespace lamina {
@@ -21,6 +22,7 @@ struct CellControllerSettings {
   bool is_start_local_after_stop =
       true;                 ///< the first Start after an emergency stop does not come from the PLC
   bool needs_loop = false;  ///< jobs start only with a height loop that may run, and clocks that agree
+  QueueAdvance advance = QueueAdvance::Ask;  ///< what begins the next job once a part is complete
   PlcWatchSettings plc;
   JournalCareSettings care;
 };

@@ -233,6 +233,11 @@ void StreamExecutor::onDone(std::uint64_t order, const actionlib::SimpleClientGo
   if (!is_done && result != nullptr && result->status.message.empty())
     report.failure = "the executor did not take the job up: " + state.toString();
   if (result != nullptr) report.progress.taken_through = result->lines_acknowledged;
+  // Whoever ends a job has the streamer stop its machine, unless that has got no line yet.
+  const bool has_lines =
+      report.progress.taken_through > 0 || (has_begun_ && report.progress.sent_through > 0);
+  report.has_lost_motions =
+      result != nullptr && result->status.code == lamina_msgs::Status::CANCELLED && has_lines;
   last_ = report;
   report_(report);
 }

@@ -475,8 +475,9 @@ bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
   const bool is_prepared = holdPrepared(false);
   const auto job = session();
   const PackmlState state = job ? job->status().state : PackmlState::Idle;
-  response.success = is_prepared || state == PackmlState::Starting || state == PackmlState::Holding ||
-                     state == PackmlState::Held;
+  const bool is_waited_for = job && !job->status().wait.empty();
+  response.success = is_prepared || is_waited_for || state == PackmlState::Starting ||
+                     state == PackmlState::Holding || state == PackmlState::Held;
   response.message = response.success
                          ? "going on"
                          : std::string("state is ") + toString(state) + "; only Held can be resumed";

@@ -296,18 +296,31 @@ DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
 }
 
 DeskAnswer RosDesk::changeQueue(QueueChange change, std::int64_t job, const std::string& source) {
+  lamina_msgs::ChangeQueue call;
+  call.request.change = static_cast<std::uint8_t>(change);
+  call.request.source = source;
+  return callQueue(std::move(call), job);
+}
+
+DeskAnswer RosDesk::moveJob(std::int64_t job, std::int64_t place, const std::string& source) {
+  lamina_msgs::ChangeQueue call;
+  call.request.change = lamina_msgs::ChangeQueue::Request::MOVE;
+  call.request.place = static_cast<std::uint32_t>(
+      std::clamp(place, std::int64_t{0}, std::int64_t{std::numeric_limits<std::uint32_t>::max()}));
+  call.request.source = source;
+  return callQueue(std::move(call), job);
+}
+
+DeskAnswer RosDesk::callQueue(lamina_msgs::ChangeQueue call, std::int64_t job) {
   if (job > std::int64_t{std::numeric_limits<std::uint32_t>::max()}) {
     DeskAnswer unknown;
     unknown.outcome = DeskAnswer::Outcome::Unknown;
     unknown.message = "there is no job " + std::to_string(job);
     return unknown;
   }
-  lamina_msgs::ChangeQueue call;
-  call.request.change = static_cast<std::uint8_t>(change);
   call.request.job = static_cast<std::uint32_t>(job);
-  call.request.source = source;
   const std::string kind =
-      "change " + std::to_string(static_cast<int>(change)) + " of job " + std::to_string(job);
+      "change " + std::to_string(int{call.request.change}) + " of job " + std::to_string(job);
   DeskAnswer answer = callForStatus({kind}, names::kChangeQueue, call);
   // A job in another state than the change needs is refused as bad input by the journal.
   if (answer.outcome == DeskAnswer::Outcome::BadInput) answer.outcome = DeskAnswer::Outcome::Refused;

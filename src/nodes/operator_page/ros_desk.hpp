@@ -34,6 +34,7 @@ class RosDesk final : public CellDesk {
   DeskAnswer changeMode(int mode, const std::string& source) override;
   DeskAnswer enqueue(const DeskProgram& program) override;
   DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override;
+  DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) override;
   DeskAnswer acknowledge(int alarm, const std::string& source) override;
   DeskAnswer confirmRemoval(const std::string& source) override;
   DeskAnswer startup(StartupCommand command, const std::string& step) override;
@@ -60,6 +61,7 @@ class RosDesk final : public CellDesk {
   DeskAnswer callUnit(const Label& label, const char* name, const Service& call);
   template <class Service>
   DeskAnswer callForStatus(const Label& label, const char* name, const Service& call);
+  DeskAnswer callQueue(lamina_msgs::ChangeQueue call, std::int64_t job);
 
   ros::NodeHandle node_;
   double patience_s_;

@@ -258,6 +258,7 @@ ExecutorReport reportOf(const lamina_msgs::Status& status, const std::string& na
   taken.setAccepted();
   lamina_msgs::StreamProgramResult result;
   result.status = status;
+  result.lines_acknowledged = 3;
   taken.setAborted(result);
   EXPECT_TRUE(waitUntil([&] { return !reports.empty(); }));
   return reports.empty() ? ExecutorReport() : reports.back();
@@ -290,6 +291,7 @@ TEST(StreamExecutor, RaisesTheAlarmOfWhatHasEndedAJob) {
     const ExecutorReport report = reportOf(status, "ends_" + std::to_string(i));
     EXPECT_EQ(report.alarm, ends[i].alarm) << status.message;
     EXPECT_EQ(report.failure, status.message);
+    EXPECT_EQ(report.has_lost_motions, status.code == Status::CANCELLED) << status.message;
   }
 }
 

@@ -78,6 +78,14 @@ std::string holding(const SettingTexts& set) {
   return text;
 }
 
+/// What the queue does once a part is complete.
+std::string advance(const SettingTexts& set) {
+  UnitStatus unit;
+  unit.state = UnitState::Complete;
+  const auto command = QueueFollower(settingsWith<CellControllerSettings>(set).advance).observe(unit);
+  return command ? toString(*command) : "waits for a person";
+}
+
 }  // namespace
 
 std::vector<SettingProbe> watchProbes() {
@@ -85,6 +93,7 @@ std::vector<SettingProbe> watchProbes() {
           {"what arrives", "", usedAt, {{"arrival_hold_s=1"}}},
           {"an alarm of the loop on heights", "", holding, {{"pauses_print=false"}, {"plans_followed=true"}}},
           {"an order that is not answered", "", unanswered, {{"executor.patience_s=5"}}},
+          {"a part that is complete", "", advance, {{"queue.advance=automatic"}}},
           {"a journal that is copied", "", copied, {{"journal.copy_hour=12"}, {"journal.copies_kept=2"}}}};
 }
 

@@ -40,6 +40,26 @@ TEST_F(PersonWaitTest, EndsTheWaitOfAMachineThatHearsMeanwhile) {
   }
 }
 
+// A machine that has read the last line may have to be told to end its wait, too.
+TEST_F(PersonWaitTest, EndsTheWaitOfTheLastLine) {
+  Streamer streamer(program_, settings());
+  begin(streamer, "Cap:EMERGENCY_PARSER:1\n");
+  for (int i = 0; i < 10; ++i) streamer.receive("ok\n", 0.1 * i);
+  streamer.takeOutput();
+  streamer.receive("Resend: 11\nok\n", 1.0);
+  ASSERT_EQ(streamer.status().state, PackmlState::Completing);
+  EXPECT_EQ(streamer.takeOutput(), "M400\n");
+  EXPECT_FALSE(streamer.resume(1.5)) << "nothing waits";
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.receive("echo:busy: paused for user\n", 3.0);
+  EXPECT_NE(streamer.status().wait.find("resume makes it go on"), std::string::npos);
+  EXPECT_TRUE(streamer.resume(4.0));
+  EXPECT_EQ(streamer.takeOutput(), "M108\n");
+  EXPECT_EQ(streamer.status().wait, "");
+  streamer.receive("ok\nok\n", 4.1);
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete);
+}
+
 TEST_F(PersonWaitTest, WaitsForAPersonAtAMachineThatHearsNothingMeanwhile) {
   Streamer streamer(program_, settings());
   begin(streamer, "Cap:EMERGENCY_PARSER:0\n");

@@ -317,7 +317,7 @@ bool MarlinJob::pause(double now) {
 
 bool MarlinJob::resume(double now) {
   if (layer_pause_.takeBack(record_)) return true;
-  if (!record_.isPaused()) return false;
+  if (!record_.isPaused()) return releaseFromLastWait();
   releaseFromWait();
   layer_wait_.end();  // the time to wait for a layer begins anew
   is_paused_by_machine_ = false;

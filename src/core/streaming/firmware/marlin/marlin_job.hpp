@@ -95,6 +95,15 @@ class MarlinJob final : public StreamJob {
       resend_.sent({feed_.next() - 1, command.size() + 1, false, false, false});
     }
   }
+  /// As `releaseFromWait`, of the last line: no other is under way, and the job is not held any more.
+  /// @return whether the machine waits
+  bool releaseFromLastWait() {
+    if (record_.status.state != PackmlState::Completing || record_.status.wait.empty()) return false;
+    record_.status.wait.clear();
+    if (!person_.release()) return true;
+    for (const std::string& command : firmware_->interruption()) output_ += command + "\n";
+    return true;
+  }
   void onOk(const FirmwareReply& reply, double now);
   void acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now);
   void onResend(const FirmwareReply& reply, double now);
