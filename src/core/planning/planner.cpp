@@ -51,6 +51,12 @@ namespace {
 
 constexpr double kGreatestGap = 1.0;  // bead widths, between the bed and the first bead of an inclined part
 
+/// Whether a fill lays the rim of the part itself, in runs that go on along it. Threads would cut them.
+bool laysRim(const PlanContext& context) {
+  return context.settings.walls.count == 0 && context.strategy.deposit == Deposit::Bead &&
+         context.strategy.contact == WallContact::Beside;
+}
+
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
   PlanContext context;
   context.settings = settings;
@@ -62,6 +68,7 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   schema.validate();
   requireConsistent(settings);
   if (settings.travel.hop == Hopping::Never) context.settings.travel.hop_mm = 0.0;
+  if (laysRim(context)) context.settings.bridges.is_used = false;
   if (context.strategy.deposit == Deposit::Bead)
     for (const Layer& layer : layers) {
       requireSensiblePitch(settings.bead, layer.bounds.height());
