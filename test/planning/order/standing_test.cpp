@@ -24,13 +24,17 @@ ToolpathLayer laid(const Layer& layer, std::size_t left_out) {
   ToolpathLayer result;
   result.z_mm = layer.bounds.top_mm;
   const std::vector<Polygon>& outlines = layer.section.contours;
-  result.paths.reserve(outlines.size());
+  result.paths.reserve(2 * outlines.size());
   for (std::size_t i = 0; i + left_out < outlines.size(); ++i) {
     const Point2 middle = 0.5 * (outlines[i][0] + outlines[i][2]);
     Path path;
     path.role = PathRole::OuterWall;
     path.points = {Point3(middle.x() - 0.05, middle.y(), layer.bounds.top_mm),
                    Point3(middle.x() + 0.05, middle.y(), layer.bounds.top_mm)};
+    Path way;
+    way.role = PathRole::Travel;
+    way.points = {path.points.front(), path.points.front()};
+    result.paths.push_back(std::move(way));
     result.paths.push_back(std::move(path));
   }
   return result;
@@ -113,6 +117,13 @@ TEST(Standing, LetsNothingLieOnAnIslandWithoutBeads) {
   EXPECT_EQ(islandsAbove(part), 1U);
   EXPECT_EQ(islandsAbove(Floating(part).without(1)), 1U) << "that above it, in its stead";
   EXPECT_EQ(islandsAbove(Floating({{kFoot}, {kFoot, sliver}, {kFoot}}).without(1)), 0U);
+}
+
+TEST(Standing, LetsASupportCarryWhatLiesOnABareIsland) {
+  const Polygon sliver = rectangle(12.0, 4, 12.2, 6);
+  const Regions column = {{rectangle(11.9, 3, 12.3, 7), {}}};
+  const Floating part({{kFoot}, {kFoot, sliver}, {kFoot, rectangle(12, 4, 14, 6)}});
+  EXPECT_EQ(islandsAbove(Floating(part).without(1).on({{}, column, {}})), 0U);
 }
 
 TEST(Standing, LeavesLevelLayersToSupports) {

@@ -26,12 +26,12 @@ double greatestGap(const CarriedLayers& carried) { return kGreatestGap * carried
 
 bool isLevel(const BedPlane& bed) { return bed.up.head<2>().isZero(); }
 
-/// Islands of a layer that get beads, moved to near the origin.
+/// Islands of a layer, moved to near the origin.
 struct PrintedIslands {
   Point2 away = Point2::Zero();
-  Regions islands;
+  Regions islands;             ///< that get beads
   std::vector<Point2> starts;  ///< of a run of each
-  bool are_all = true;         ///< whether no island goes without
+  Regions bare;                ///< without beads, as the sharp edge that an overhang begins with
 };
 
 PrintedIslands printedIslands(const PlannedStack& stack, std::size_t index) {
@@ -45,7 +45,7 @@ PrintedIslands printedIslands(const PlannedStack& stack, std::size_t index) {
       return isPartOfPart(path) && edges.enclose(path.firstPoint().head<2>() - printed.away);
     });
     if (run == paths.end()) {
-      printed.are_all = false;
+      printed.bare.push_back(std::move(island));
       continue;
     }
     printed.starts.push_back(run->firstPoint().head<2>());
@@ -54,16 +54,27 @@ PrintedIslands printedIslands(const PlannedStack& stack, std::size_t index) {
   return printed;
 }
 
-/// The layer before and supports, and what is as near to them as a bead is wide.
+/// Supports up to a layer, and what is as near to them as a bead is wide.
+Regions nearSupports(const CarriedLayers& carried, std::size_t index, const Point2& away) {
+  if (carried.supports.empty() || carried.supports[index].empty()) return {};
+  return offset(moved(carried.supports[index], -away), greatestGap(carried));
+}
+
+/// The layer before and supports, and what is as near to them as a bead is wide. A bare island on a support
+/// lets that carry what lies on it.
 Regions nearCarrying(const CarriedLayers& carried, std::size_t index, const PrintedIslands* below,
                      const Point2& away) {
-  std::vector<Polygon> carrying;
-  if (below != nullptr) carrying = outlines(moved(below->islands, below->away - away));
-  if (!carried.supports.empty())
-    for (Polygon& outline : outlines(moved(carried.supports[index], -away)))
-      carrying.push_back(std::move(outline));
-  if (carrying.empty()) return {};
-  return offset(unite(carrying), greatestGap(carried));
+  std::vector<Polygon> carrying = outlines(nearSupports(carried, index, away));
+  if (below != nullptr) {
+    Regions solid = below->islands;
+    const Regions held = nearSupports(carried, index - 1, below->away);
+    for (const Region& bare : below->bare)
+      if (!intersection({bare}, held).empty()) solid.push_back(bare);
+    if (!solid.empty())
+      for (Polygon& outline : outlines(offset(moved(solid, below->away - away), greatestGap(carried))))
+        carrying.push_back(std::move(outline));
+  }
+  return unite(carrying);
 }
 
 /// Where runs of islands begin that nothing carries, one of each.
@@ -119,7 +130,7 @@ FloatingIslands floatingIslands(const PlannedStack& stack) {
   std::vector<std::vector<Point2>> found(printed.size());
   const auto look = [&](std::size_t i) {
     const PrintedIslands* below = i > 0 ? &printed[i - 1] : nullptr;
-    if (stack.starts[i].empty() && (below == nullptr || below->are_all)) return;
+    if (stack.starts[i].empty() && (below == nullptr || below->bare.empty())) return;
     found[i] = floatingIn(carried, i, printed[i], below);
   };
   parallelFor(found.size(), look, nobody, "plan");
