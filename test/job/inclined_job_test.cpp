@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -205,6 +206,31 @@ TEST(InclinedJob, RefusesAPartThatBeginsInTheAirUnlessAsked) {
   EXPECT_NE(refusal.find("supports.use true"), std::string::npos) << refusal;
   job.settings.planning.anchoring.strategy = Anchoring::None;
   EXPECT_NEAR(lowestOverBed(run(job), 0), 4.40, 0.15);
+}
+
+/// A pillar on the bed, with an arm at its top away from the layers' way: they meet it first at its lower
+/// edge at (y, z) = (30, 24), in mid-air.
+SliceJob pillarWithArm(const test::ScratchFolder& folder) {
+  SliceJob job = upright(folder.file("pillar.stl"), 45.0, 0.0);
+  writeStl(job.part,
+           joined(test::boxBetween({0, 0, 0}, {10, 10, 30}), test::boxBetween({0, 8, 24}, {10, 30, 30})));
+  return job;
+}
+
+TEST(InclinedJob, RefusesIslandsThatBeginInTheAirUnlessAsked) {
+  const test::ScratchFolder folder;
+  SliceJob job = pillarWithArm(folder);
+  const std::string refusal = failureOf<InvalidInput>(job);
+  EXPECT_EQ(refusal.rfind("islands of layers that begin in mid-air: 1, the first in layer ", 0), 0U)
+      << refusal;
+  Point3 place = Point3::Zero();
+  const std::size_t at = refusal.find("(");
+  ASSERT_NE(at, std::string::npos) << refusal;
+  ASSERT_EQ(std::sscanf(refusal.c_str() + at, "(%lf, %lf, %lf)", &place.x(), &place.y(), &place.z()), 3);
+  EXPECT_NEAR(place.y(), 30.0, 1.0) << refusal;
+  EXPECT_NEAR(place.z(), 24.0, 1.0) << refusal;
+  job.settings.planning.anchoring.strategy = Anchoring::WherePossible;
+  EXPECT_EQ(failureOf<InvalidInput>(job), "");
 }
 
 /// Whatever their angle, to the last bit as before.

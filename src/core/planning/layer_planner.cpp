@@ -45,7 +45,7 @@ namespace lamina {
 namespace {
 
 bool isAnchored(const PlanContext& context) {
-  return context.bed && context.settings.anchoring.strategy == Anchoring::SupportedStart;
+  return context.bed && context.settings.anchoring.strategy != Anchoring::None;
 }
 
 /// Where the nozzle begins: an inclined layer at the bed.

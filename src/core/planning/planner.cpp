@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -34,6 +33,7 @@
 #include "planning/left_open.hpp"
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
+#include "planning/order/standing.hpp"
 #include "planning/order/starts_in_air.hpp"
 #include "planning/planned_aids.hpp"
 #include "planning/skins/roof_branches.hpp"
@@ -49,7 +49,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kGreatestGap = 1.0;  // bead widths, between the bed and the first bead of an inclined part
+/// Whether a fill lays the rim of the part itself, in runs that go on along it. Threads would cut them.
+bool laysRim(const PlanContext& context) {
+  return context.settings.walls.count == 0 && context.strategy.deposit == Deposit::Bead &&
+         context.strategy.contact == WallContact::Beside;
+}
 
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
   PlanContext context;
@@ -62,6 +66,7 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   schema.validate();
   requireConsistent(settings);
   if (settings.travel.hop == Hopping::Never) context.settings.travel.hop_mm = 0.0;
+  if (laysRim(context)) context.settings.bridges.is_used = false;
   if (context.strategy.deposit == Deposit::Bead)
     for (const Layer& layer : layers) {
       requireSensiblePitch(settings.bead, layer.bounds.height());
@@ -448,19 +453,6 @@ bool standsOnSupports(const PlanSettings& settings) {
   return settings.supports.use && infillStrategy(settings.infill.strategy).link != LayerLink::Rising;
 }
 
-/// @throws InvalidInput if the first layer of the part is deposited in mid-air, and runs are to be anchored
-void requireStanding(double gap_mm, const PlanSettings& settings) {
-  if (settings.anchoring.strategy == Anchoring::None || gap_mm <= kGreatestGap * settings.bead.width_mm)
-    return;
-  constexpr int kShownDigits = 3;
-  throw InvalidInput("the first layer of the part lies " + significantText(gap_mm, kShownDigits) +
-                     " mm above the bed, and nothing is below it; expected at most " +
-                     significantText(kGreatestGap * settings.bead.width_mm, kShownDigits) +
-                     " mm, the width of a bead: supports.use true holds it up, a part turned so that it "
-                     "stands on an edge or a face along slicing.plane begins on the bed, and "
-                     "anchoring.strategy 'none' lays it in the air");
-}
-
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
                    PlanRegions regions = {}) {
   const PlanContext context = wallContext(of_settings);
@@ -508,8 +500,10 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   if (context.bed) {
     const CarriedLayers carried{layers, of_stack.aids.carrying, *context.bed,
                                 of_settings.settings.bead.width_mm};
-    plan.anchored.in_air = countStartsInAir(carried, paths);
-    requireStanding(gapBelowPart(carried, paths), of_settings.settings);
+    const StartsInAir starts = startsInAir(carried, paths);
+    plan.anchored.in_air = countOf(starts);
+    if (of_settings.settings.anchoring.strategy == Anchoring::SupportedStart)
+      requireStanding({carried, paths, starts}, of_settings.part_from_layers);
   }
   addWipes(paths, travel_settings);
   return plan;

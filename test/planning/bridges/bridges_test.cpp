@@ -122,6 +122,25 @@ TEST(Bridges, AreTheSameUnderASolidInfill) {
   EXPECT_NEAR(all, inside, 0.01 * inside);
 }
 
+/// Their runs go on along the rim; threads over the gap would end there.
+TEST(Bridges, LeaveTheRimToFillsThatLayItThemselves) {
+  PlanSettings settings = spanning();
+  settings.infill.density = 1.0;
+  settings.skins = SkinSettings{};
+  settings.walls.count = 0;
+  for (const char* const strategy : {"spiral", "hybrid", "perimeters"}) {
+    settings.infill.strategy = strategy;
+    const Plan plan = plannedPart(bridge(), settings);
+    EXPECT_EQ(plan.bridging.bridges, 0U) << strategy;
+    EXPECT_TRUE(threadsOf(plan.toolpath.layers[5]).empty()) << strategy;
+  }
+  settings.infill.strategy = "zigzag";
+  EXPECT_EQ(plannedPart(bridge(), settings).bridging.bridges, 1U) << "its lines end at the rim anyway";
+  settings.infill.strategy = "spiral";
+  settings.walls.count = 1;
+  EXPECT_EQ(plannedPart(bridge(), settings).bridging.bridges, 1U) << "the threads end at the wall";
+}
+
 TEST(Bridges, AreDepositedWithoutSkinsToo) {
   PlanSettings settings = spanning();
   settings.skins = SkinSettings{};

@@ -12,7 +12,9 @@ namespace lamina {
 /// What is done about runs of inclined layers that would begin unsupported along the tool axis.
 enum class Anchoring {
   None,            ///< they stay as the strategy planned them
-  SupportedStart,  ///< they begin on the bed or the layer before, if they pass over either
+  SupportedStart,  ///< they begin on the bed or the layer before, if they pass over either; a part that
+                   ///< begins in mid-air is refused
+  WherePossible,   ///< the same, but nothing is refused
 };
 
 struct AnchorSettings {

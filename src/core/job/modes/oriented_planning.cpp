@@ -147,6 +147,9 @@ void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
     summary.notes.push_back(asked + " has no effect: layers of mode '" + summary.mode + "' are not plane");
   else if (strategy.deposit != Deposit::Bead || strategy.link != LayerLink::Travel)
     summary.notes.push_back(asked + " has no effect with infill.strategy '" + planning.infill.strategy + "'");
+  else if (planning.bridges.is_used && planning.walls.count == 0 && strategy.contact == WallContact::Beside)
+    summary.notes.push_back("bridges.use has no effect with infill.strategy '" + planning.infill.strategy +
+                            "' and walls.count 0: threads would cut the rim");
 }
 
 /// Of a solid infill in cells, where it leaves more open than others do.

@@ -7,8 +7,11 @@ namespace lamina {
 void describe(SettingsSchema& schema, AnchorSettings& anchoring) {
   schema.choice<Anchoring>(
       "anchoring.strategy", anchoring.strategy,
-      {{"none", Anchoring::None}, {"supported_start", Anchoring::SupportedStart}},
-      "Runs of inclined layers begin as deposited, or where bed or the layer before is below them.");
+      {{"none", Anchoring::None},
+       {"supported_start", Anchoring::SupportedStart},
+       {"where_possible", Anchoring::WherePossible}},
+      "Where runs of inclined layers begin: as planned, or on bed or material; then what "
+      "begins in mid-air is refused, or laid nevertheless.");
 }
 
 }  // namespace lamina

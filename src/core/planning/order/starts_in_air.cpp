@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "lamina/base/parallel.hpp"
-#include "planning/order/support_test.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
@@ -22,16 +21,19 @@ bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {
          before->paths.back().lastPoint() == layer.paths.front().firstPoint();
 }
 
-std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const SupportTest& support_test) {
-  std::size_t count = 0;
+std::vector<Point2> startsIn(const ToolpathLayer& layer, bool continues, const SupportTest& support_test) {
+  std::vector<Point2> starts;
   bool is_laying = continues;
   for (const Path& path : layer.paths) {
     const bool is_start = laysBeadsOfPart(path) && !is_laying;
-    if (is_start && !support_test.carries(path.firstPoint().head<2>())) ++count;
+    const Point2 start = path.firstPoint().head<2>();
+    if (is_start && !support_test.carries(start)) starts.push_back(start);
     is_laying = laysBeadsOfPart(path);
   }
-  return count;
+  return starts;
 }
+
+}  // namespace
 
 SupportTest supportTestOf(const CarriedLayers& carried, std::size_t index) {
   const std::vector<Layer>& layers = carried.layers;
@@ -42,18 +44,21 @@ SupportTest supportTestOf(const CarriedLayers& carried, std::size_t index) {
           {carried.bead_width_mm, layers[index].bounds.height()}};
 }
 
-}  // namespace
-
-std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {
-  std::vector<std::size_t> counts(carried.layers.size(), 0);
-  const auto count = [&](std::size_t i) {
+StartsInAir startsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {
+  StartsInAir starts(carried.layers.size());
+  const auto find = [&](std::size_t i) {
     if (toolpath[i].paths.empty()) return;
-    counts[i] = startsInAir(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr),
-                            supportTestOf(carried, i));
+    starts[i] = startsIn(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr),
+                         supportTestOf(carried, i));
   };
   NoProgress nobody;
-  parallelFor(carried.layers.size(), count, nobody, "plan");
-  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  parallelFor(carried.layers.size(), find, nobody, "plan");
+  return starts;
+}
+
+std::size_t countOf(const StartsInAir& starts) {
+  return std::accumulate(starts.begin(), starts.end(), std::size_t{0},
+                         [](std::size_t sum, const std::vector<Point2>& each) { return sum + each.size(); });
 }
 
 double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath) {

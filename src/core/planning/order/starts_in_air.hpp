@@ -9,6 +9,7 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/support_test.hpp"
 
 namespace lamina {
 
@@ -20,10 +21,18 @@ struct CarriedLayers {
   double bead_width_mm = 0.0;
 };
 
-/// Number of runs of beads that begin with neither bed, support nor the layer before below them. A run that
-/// continues where the one before ended is not counted.
+/// Of each layer, where runs begin in the air [mm].
+using StartsInAir = std::vector<std::vector<Point2>>;
+
+/// Runs of beads that begin with neither bed, support nor the layer before below them. A run that continues
+/// where the one before ended is not among them.
 /// @param toolpath  the plan of the layers, in their frame
-std::size_t countStartsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
+StartsInAir startsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
+
+std::size_t countOf(const StartsInAir& starts);
+
+/// What carries the beads of a layer.
+SupportTest supportTestOf(const CarriedLayers& carried, std::size_t index);
 
 /// The gap between the bed and the lowest bead of the first layer with beads or drops of the part [mm]. Zero
 /// if the bed or a support carries any waypoint of it, and for a toolpath without the part.

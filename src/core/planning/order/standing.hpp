@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/starts_in_air.hpp"
+
+namespace lamina {
+
+/// Islands of inclined layers that begin in mid-air: nothing of them comes within the width of a bead of the
+/// bed, the layer before or a support.
+struct FloatingIslands {
+  std::size_t count = 0;
+  std::size_t first_layer = 0;       ///< where the first of them lies
+  Point3 first_mm = Point3::Zero();  ///< where a run of it begins, in the frame of the layers
+};
+
+/// Inclined layers and their plan.
+struct PlannedStack {
+  const CarriedLayers& carried;
+  const std::vector<ToolpathLayer>& toolpath;  ///< the plan of the layers, in their frame
+  const StartsInAir& starts;                   ///< of it
+};
+
+/// None of level layers, whose islands are the affair of supports. An island without beads neither floats nor
+/// carries.
+FloatingIslands floatingIslands(const PlannedStack& stack);
+
+/// @throws InvalidInput if the first layer of the part, or an island of a later one, begins in mid-air
+void requireStanding(const PlannedStack& stack, const Eigen::Isometry3d& part_from_layers);
+
+}  // namespace lamina
