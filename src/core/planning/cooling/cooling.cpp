@@ -17,6 +17,7 @@
 #include "planning/flow/path_cut.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 #include "toolpath/layer_time.hpp"
+#include "toolpath/part_begin.hpp"
 #include "toolpath/path_motions.hpp"
 
 namespace lamina {
@@ -284,16 +285,6 @@ double fanShare(double layer_time_s, std::size_t layer, const FanSettings& setti
   return settings.greatest + along * (settings.least - settings.greatest);
 }
 
-namespace {
-
-/// Whether a layer begins a further part on the bed: the one before lies higher.
-bool beginsPart(const ToolpathLayer& layer, const ToolpathLayer& before, const ToolpathLayer& first) {
-  constexpr double kLevel = 1e-6;  // mm
-  return layer.z_mm < before.z_mm && layer.z_mm - layer.height_mm <= first.z_mm - first.height_mm + kLevel;
-}
-
-}  // namespace
-
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
   if (settings.is_used) {
     const ToolpathTime time = estimateTime(toolpath, limits);
@@ -301,7 +292,7 @@ void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits&
     const std::vector<ToolpathLayer>& layers = toolpath.layers;
     std::size_t begin = 0;  // of the part
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      if (i > 0 && beginsPart(layers[i], layers[i - 1], layers.front())) begin = i;
+      if (beginsPart(layers, i)) begin = i;
       if (layers[i].paths.empty()) continue;
       const double end_s = i + 1 < layers.size() ? time.layer_start_s[i + 1] : time.total_s;
       fan.add(layers[i].paths, {i, i - begin, fanShare(end_s - time.layer_start_s[i], i - begin, settings)});
