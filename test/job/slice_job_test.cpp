@@ -209,6 +209,24 @@ TEST_F(SliceJobTest, RefusesAPartBesideTheBed) {
   EXPECT_FALSE(hasOutput());
 }
 
+/// 5 mm beside a part that stands 1 mm from the edge of the bed there is none.
+TEST_F(SliceJobTest, PausesWithinTheMachinesReach) {
+  job_.settings.placement = Placement::AsIs;
+  job_.output = folder_.file("box.gcode");
+  job_.settings.pauses.at_layers = {2};
+  writeStl(job_.part, test::boxBetween({1, 50, 0}, {21, 80, 1}));
+  const SlicedPart sliced = run();
+  double least_x_mm = 1e9;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points) least_x_mm = std::min(least_x_mm, point.x());
+  EXPECT_GE(least_x_mm, 0.0);
+  EXPECT_TRUE(
+      std::any_of(sliced.summary.notes.begin(), sliced.summary.notes.end(), [](const std::string& note) {
+        return note.find("cooling.park is out of the machine's reach") != std::string::npos;
+      }));
+}
+
 TEST_F(SliceJobTest, RefusesAPartThatIsNarrowerThanAnyBead) {
   // A fin of 0.1 mm for a bead of 0.4 mm, with a skirt that would be all that is printed.
   writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 20.1, 6}));

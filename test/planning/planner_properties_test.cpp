@@ -36,7 +36,7 @@ PlanSettings randomSettings(Random& random) {
   settings.infill.wall_overlap = random.uniform(0.0, 0.5);
   settings.bead.pitch_mm = random.uniform(0.28, 0.4);
   settings.skirt.count = static_cast<int>(random.below(3));
-  settings.seam.placement = static_cast<SeamPlacement>(random.below(4));
+  settings.seam.placement = static_cast<SeamPlacement>(random.below(5));
   settings.travel.hop_mm = random.uniform(0.0, 1.0);
   settings.travel.retraction_threshold_mm = random.uniform(0.0, 5.0);
   return settings;

@@ -114,7 +114,7 @@ struct AdaptedWallSettings {
   double contour_offset = 0.5;  ///< distance of the bead's middle from the part's surface, in bead widths
 };
 
-enum class SeamPlacement { Nearest, Aligned, Rear, Random };
+enum class SeamPlacement { Nearest, Aligned, Rear, Random, Corner };
 
 struct SeamSettings {
   SeamPlacement placement = SeamPlacement::Aligned;

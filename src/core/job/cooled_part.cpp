@@ -63,8 +63,8 @@ bool canPark(const SlicedPart& sliced, const CoolingSettings& cooling, const Bui
 
 void giveTimes(SlicedPart& sliced, CoolingSettings cooling, const JobSite& site, Progress& progress) {
   const bool waits_elsewhere = cooling.least_layer_time_s > 0.0 && cooling.park != ParkPlace::Stay;
-  const bool has_room = !waits_elsewhere || canPark(sliced, cooling, site.space);
-  if (!has_room) cooling.park = ParkPlace::Stay;
+  if (waits_elsewhere) cooling = reachableParking(sliced, cooling, site.space);
+  const bool has_room = !waits_elsewhere || cooling.park != ParkPlace::Stay;
   const CoolingSummary summary = cool(sliced.toolpath, cooling, site.limits, progress);
   const auto note = [&sliced](std::size_t count, const std::string& what) {
     if (count > 0) sliced.summary.notes.push_back(std::to_string(count) + " layers " + what);
@@ -83,6 +83,11 @@ void giveTimes(SlicedPart& sliced, CoolingSettings cooling, const JobSite& site,
 }
 
 }  // namespace
+
+CoolingSettings reachableParking(const SlicedPart& sliced, CoolingSettings cooling, const BuildSpace& space) {
+  if (cooling.park != ParkPlace::Stay && !canPark(sliced, cooling, space)) cooling.park = ParkPlace::Stay;
+  return cooling;
+}
 
 void coolPart(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space, Progress& progress) {
   CoolingSettings cooling = job.settings.cooling;

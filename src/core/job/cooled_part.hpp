@@ -15,4 +15,7 @@ namespace lamina {
 /// @throws as `cool`; Cancelled
 void coolPart(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space, Progress& progress);
 
+/// The settings with `cooling.park` at `stay` where the machine does not reach the places beside the part.
+CoolingSettings reachableParking(const SlicedPart& sliced, CoolingSettings cooling, const BuildSpace& space);
+
 }  // namespace lamina

@@ -146,6 +146,11 @@ void addTime(SlicedPart& sliced, const MotionLimits& limits,
   sliced.summary.slow_bead_share = joint_program->time->slow_bead_share;
 }
 
+/// Whether the nozzle waits beside the part for an operator or a tool's temperature.
+bool waitsAside(const JobSettings& settings, const std::vector<Tool>& tools) {
+  return tools.size() > 1 || !settings.pauses.at_layers.empty() || !settings.pauses.at_heights_mm.empty();
+}
+
 /// Temperatures of tools, pauses, and code of the user's own.
 void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space) {
   HookSite site;
@@ -154,8 +159,15 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
   site.nozzle_temperature_c = settings.program.nozzle_temperature_c;
   site.bed_temperature_c = settings.program.bed_temperature_c;
   site.limits = settings.motion;
-  addToolHeating(sliced.toolpath, toolsOf(settings.planning.tools), site.nozzle_temperature_c, site.limits);
-  addPauses(sliced.toolpath, settings.pauses, settings.cooling, site);
+  const std::vector<Tool> tools = toolsOf(settings.planning.tools);
+  CoolingSettings parking = settings.cooling;
+  if (waitsAside(settings, tools)) parking = reachableParking(sliced, parking, space);
+  if (parking.park != settings.cooling.park)
+    sliced.summary.notes.emplace_back(
+        "the nozzle waits for tools and in pauses over where it is: cooling.park is out of the machine's "
+        "reach");
+  addToolHeating(sliced.toolpath, tools, {site.nozzle_temperature_c, site.limits, parking});
+  addPauses(sliced.toolpath, settings.pauses, parking, site);
   addHooks(sliced.toolpath, settings.hooks, site);
 }
 

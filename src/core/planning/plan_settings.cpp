@@ -118,7 +118,8 @@ void describe(SettingsSchema& schema, SeamSettings& seam) {
                                {{"nearest", SeamPlacement::Nearest},
                                 {"aligned", SeamPlacement::Aligned},
                                 {"rear", SeamPlacement::Rear},
-                                {"random", SeamPlacement::Random}},
+                                {"random", SeamPlacement::Random},
+                                {"corner", SeamPlacement::Corner}},
                                "Where closed loops start.");
   schema.integer("seam.seed", seam.seed, {0, 2147483647}, "Seed of random seams.");
 }

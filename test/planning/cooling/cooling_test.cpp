@@ -121,6 +121,66 @@ TEST(Cooling, WaitsForWhatTheLeastFeedLacks) {
   EXPECT_NEAR(summary.dwell_s / 5, 8.0 - (38.4 + kInnerLoop) / 10.0, 0.25);
 }
 
+/// Three lines of 10 mm, each of which begins 0.5 mm beside where the one below ended.
+Toolpath linesAside() {
+  Toolpath toolpath;
+  for (int l = 0; l < 3; ++l) {
+    const double z = 0.2 * (l + 1);
+    const double y = 0.5 * l;
+    Path bead;
+    bead.role = PathRole::OuterWall;
+    bead.bead = Bead{0.4, 0.2};
+    bead.feed_mm_s = 10.0;
+    bead.points = {{l % 2 == 0 ? 0.0 : 10.0, y, z}, {l % 2 == 0 ? 10.0 : 0.0, y, z}};
+    ToolpathLayer layer{z, 0.2, {bead}};
+    if (l > 0) {
+      Path way = bead;
+      way.role = PathRole::Travel;
+      way.bead = Bead{};
+      way.feed_mm_s = 100.0;
+      way.points = {toolpath.layers.back().paths.back().points[1], bead.points[0]};
+      layer.paths.insert(layer.paths.begin(), way);
+    }
+    toolpath.layers.push_back(layer);
+  }
+  return toolpath;
+}
+
+CoolingSettings waitingFor(double layer_time_s) {
+  CoolingSettings settings = atLeast(layer_time_s);
+  settings.by = CoolingBy::Dwell;
+  return settings;
+}
+
+/// Material that is pushed forth over the last bead makes a blob there, and the nozzle drags through it.
+TEST(Cooling, GoesOnFromAWaitToTheNextBead) {
+  Toolpath toolpath = linesAside();
+  const CoolingSummary summary = cooled(toolpath, waitingFor(5.0));
+  EXPECT_EQ(summary.dwells, 2U);
+  ASSERT_EQ(toolpath.layers[0].paths.size(), 2U);
+  const Path& wait = toolpath.layers[0].paths[1];
+  EXPECT_TRUE(wait.process.is_retracted);
+  const std::vector<Point3> way = {{10, 0, 0.2}, {10, 0, 2.2}, {-5, 0, 2.2}, {10, 0.5, 2.2}, {10, 0.5, 0.4}};
+  ASSERT_EQ(wait.points.size(), way.size());
+  for (std::size_t i = 0; i < way.size(); ++i) EXPECT_NEAR((wait.points[i] - way[i]).norm(), 0.0, 1e-9) << i;
+  EXPECT_EQ(wait.events.at(0).motion, 2U);
+  ASSERT_EQ(toolpath.layers[1].paths.size(), 2U);
+  EXPECT_EQ(toolpath.layers[1].paths[0].role, PathRole::OuterWall) << "the way there is gone";
+  // 5 s and the way of 0.54 mm that stood in the next layer.
+  EXPECT_NEAR(layerTime(toolpath, 0), 5.0 + std::hypot(0.5, 0.2) / 100.0, 1e-3);
+}
+
+TEST(Cooling, KeepsMaterialBackUntilTheNextBeadWhereItDoesNotRise) {
+  Toolpath toolpath = linesAside();
+  CoolingSettings settings = waitingFor(5.0);
+  settings.park = ParkPlace::Stay;
+  settings.lift_mm = 0.0;
+  cooled(toolpath, settings);
+  ASSERT_EQ(toolpath.layers[1].paths.size(), 3U);
+  EXPECT_EQ(toolpath.layers[1].paths[0].role, PathRole::Travel);
+  EXPECT_TRUE(toolpath.layers[1].paths[0].process.is_retracted);
+}
+
 TEST(Cooling, WaitsOnTheSpotForAllThatTheLeastFeedLacks) {
   Toolpath toolpath = tower();
   CoolingSettings settings = atLeast(8.0);

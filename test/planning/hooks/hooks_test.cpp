@@ -208,6 +208,37 @@ TEST(Pauses, AreParkedAndReturn) {
   EXPECT_EQ(toolpath.layers[3].paths.size(), 4U);
 }
 
+/// Parts one after the other: of 5 layers, of 2 and of 4.
+Toolpath partByPart() {
+  Toolpath toolpath = hookedPart(5);
+  for (const std::size_t layers : {std::size_t{2}, std::size_t{4}}) {
+    const Toolpath part = hookedPart(layers);
+    toolpath.layers.insert(toolpath.layers.end(), part.layers.begin(), part.layers.end());
+  }
+  return toolpath;
+}
+
+/// Whoever lays a nut into one part lays one into each.
+TEST(Pauses, AtAHeightComeInEachPartThatIsHighEnough) {
+  Toolpath toolpath = partByPart();
+  PauseSettings pauses;
+  pauses.at_heights_mm = {0.4};
+  addPauses(toolpath, pauses, {}, {});
+  std::vector<std::size_t> paused;
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    if (toolpath.layers[l].paths.size() == 5) paused.push_back(l);
+  // Layers that begin at 0.4 mm: the third of the first part and of the last, of layers 7 to 10.
+  EXPECT_EQ(paused, (std::vector<std::size_t>{2, 9}));
+}
+
+TEST(Hooks, AtAHeightStandInEachPartThatIsHighEnough) {
+  Toolpath toolpath = partByPart();
+  HookSettings hooks;
+  hooks.at_height_mm = {{"0.6", "M117 up"}};
+  addHooks(toolpath, hooks, {});
+  EXPECT_EQ(codesOf(toolpath), (Codes{"3/1/0 M117 up\n", "10/1/0 M117 up\n"}));
+}
+
 TEST(Pauses, AreAnnounced) {
   Toolpath toolpath = hookedPart(3);
   PauseSettings pauses;

@@ -92,7 +92,7 @@ TEST(ToolHeating, StandsByAndHeatsAhead) {
   tools[1].heat_s = 4.0;
   MotionLimits limits;
   limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = 1e9;
-  addToolHeating(toolpath, tools, 210.0, limits);
+  addToolHeating(toolpath, tools, {210.0, limits, {}});
   EXPECT_EQ(codeBefore(toolpath, 0, 0), "");
   EXPECT_EQ(codeBefore(toolpath, 0, 1), "M104 T1 S220\n");  // 5 s before it is taken
   EXPECT_EQ(codeBefore(toolpath, 1, 0), "M109 T1 S220\n");
@@ -112,11 +112,40 @@ TEST(ToolHeating, IsWaitedForOnThePrimeTower) {
   std::vector<Tool> tools(2);
   tools[1].temperature_c = 220.0;
   tools[1].standby_c = 150.0;
-  addToolHeating(toolpath, tools, 210.0, {});
+  addToolHeating(toolpath, tools, {210.0, {}, {}});
   const std::vector<PathEvent>& events = toolpath.layers[1].paths[0].events;
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(codeBefore(toolpath, 1, 0), "M109 T1 S220\n");
   EXPECT_EQ(events[0].motion, 1U) << "behind its only motion";
+}
+
+TEST(ToolHeating, IsWaitedForBesideThePartWithoutAPrimeTower) {
+  Toolpath toolpath = inTurn();
+  for (ToolpathLayer& layer : toolpath.layers) {
+    Path way = layer.paths[0];
+    way.role = PathRole::Travel;
+    way.bead = Bead{};
+    way.points = {layer.paths[1].points[1], layer.paths[0].points[0]};
+    way.points[0].z() -= layer.height_mm;
+    layer.paths.insert(layer.paths.begin(), way);
+  }
+  std::vector<Tool> tools(2);
+  tools[1].temperature_c = 220.0;
+  tools[1].standby_c = 150.0;
+  addToolHeating(toolpath, tools, {210.0, {}, {}});
+  validate(toolpath);
+  const Path& way = toolpath.layers[1].paths[0];
+  ASSERT_EQ(way.events.size(), 1U);
+  EXPECT_EQ(codeBefore(toolpath, 1, 0), "M109 T1 S220\n");
+  // From the end of layer 0, up by 2 mm from its top, 5 mm to the left of the part, and over the first bead.
+  ASSERT_EQ(way.points.size(), 5U);
+  EXPECT_NEAR((way.points[0] - Point3(100, 0, 0.2)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((way.points[1] - Point3(100, 0, 2.4)).norm(), 0.0, 1e-9) << "2 mm over what lies so far";
+  EXPECT_NEAR((way.points[2] - Point3(-5, 0, 2.4)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((way.points[3] - Point3(0, 0, 2.4)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((way.points[4] - Point3(0, 0, 0.4)).norm(), 0.0, 1e-9);
+  EXPECT_EQ(way.events[0].motion, 2U) << "beside the part";
+  EXPECT_TRUE(way.process.is_retracted);
 }
 
 TEST(ToolHeating, KeepsAToolHotThatIsTakenAgainSoon) {
@@ -126,7 +155,7 @@ TEST(ToolHeating, KeepsAToolHotThatIsTakenAgainSoon) {
   tools[0].heat_s = 20.0;
   MotionLimits limits;
   limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = 1e9;
-  addToolHeating(toolpath, tools, 210.0, limits);
+  addToolHeating(toolpath, tools, {210.0, limits, {}});
   EXPECT_EQ(codeBefore(toolpath, 1, 0) + codeBefore(toolpath, 2, 0), "");
   EXPECT_EQ(codeBefore(toolpath, 3, 0), "M104 T0 S150\n");  // not taken again
 }
@@ -134,7 +163,7 @@ TEST(ToolHeating, KeepsAToolHotThatIsTakenAgainSoon) {
 TEST(ToolHeating, LeavesToolsWithoutTemperaturesAlone) {
   Toolpath toolpath = inTurn();
   const std::string before = toolpathId(toolpath);
-  addToolHeating(toolpath, std::vector<Tool>(2), 210.0, {});
+  addToolHeating(toolpath, std::vector<Tool>(2), {210.0, {}, {}});
   EXPECT_EQ(toolpathId(toolpath), before);
 }
 

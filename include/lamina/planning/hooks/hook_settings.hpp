@@ -28,7 +28,7 @@ struct HookSettings {
 /// Places at which the machine waits for its operator.
 struct PauseSettings {
   std::vector<double> at_layers;  ///< numbers of layers, from 0, before which it waits
-  /// Heights over the bed [mm]; it waits before the first layer that begins at or above each.
+  /// Heights over the bed [mm]; it waits before each part's first layer that begins at or above each.
   std::vector<double> at_heights_mm;
 };
 

@@ -21,8 +21,9 @@ struct HookSite {
 };
 
 /// Adds a pause at a parking place, and the travels to it and back, before the first bead of each layer that
-/// the settings name, and of the first layer that begins at or above each height over the bed. The pause of a
-/// layer without beads comes in the next one. Several pauses at one layer are one.
+/// the settings name, and of the first layer of each part that begins at or above each height over the bed:
+/// of parts that are deposited one after the other, each that is high enough pauses. The pause of a layer
+/// without beads comes in the next one. Several pauses at one layer are one.
 /// @param parking  lift and place of parking
 /// @throws InvalidConfig if there is no such layer, or none above that height
 void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingSettings& parking,

@@ -17,6 +17,7 @@
 #include "planning/flow/path_cut.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 #include "toolpath/layer_time.hpp"
+#include "toolpath/part_begin.hpp"
 #include "toolpath/path_motions.hpp"
 
 namespace lamina {
@@ -196,6 +197,7 @@ class SlowedLayer {
 /// What became of one layer.
 struct CooledLayer {
   bool is_slowed = false;
+  bool waits = false;
   double dwell_s = 0.0;
   bool is_too_fast = false;
 };
@@ -226,7 +228,26 @@ class Cooler {
       return cooled;
     }
     cooled.dwell_s = wait(index, wanted_s - time_s);
+    cooled.waits = true;
     return cooled;
+  }
+
+  /// Leads the wait at the end of a layer on to the first bead of the next.
+  void goOn(std::size_t index, CooledLayer& cooled) const {
+    std::vector<ToolpathLayer>& layers = toolpath_.layers;
+    const auto next = std::find_if(layers.begin() + static_cast<std::ptrdiff_t>(index) + 1, layers.end(),
+                                   [](const ToolpathLayer& layer) { return !layer.paths.empty(); });
+    if (next == layers.end()) return;
+    std::vector<Path>& paths = next->paths;
+    const auto bead = std::find_if(paths.begin(), paths.end(),
+                                   [](const Path& path) { return path.role != PathRole::Travel; });
+    if (bead == paths.end()) return;
+    std::vector<Path> way(paths.begin(), bead);
+    Path& wait = layers[index].paths.back();
+    leadOn(wait, way, *bead, grounds_[index], limits_);
+    std::copy(way.begin(), way.end(), paths.begin());
+    paths.erase(paths.begin() + static_cast<std::ptrdiff_t>(way.size()), bead);
+    cooled.dwell_s = std::get<Dwell>(wait.events.front().event).duration_s;
   }
 
  private:
@@ -266,6 +287,8 @@ CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const M
         if (!toolpath.layers[i].paths.empty()) cooled[i] = cooler.coolLayer(i);
       },
       progress, "cool");
+  for (std::size_t i = 0; i < cooled.size(); ++i)
+    if (cooled[i].waits) cooler.goOn(i, cooled[i]);
   for (const CooledLayer& layer : cooled) {
     summary.slowed_layers += layer.is_slowed ? 1 : 0;
     summary.dwells += layer.dwell_s > 0.0 ? 1 : 0;
@@ -284,16 +307,6 @@ double fanShare(double layer_time_s, std::size_t layer, const FanSettings& setti
   return settings.greatest + along * (settings.least - settings.greatest);
 }
 
-namespace {
-
-/// Whether a layer begins a further part on the bed: the one before lies higher.
-bool beginsPart(const ToolpathLayer& layer, const ToolpathLayer& before, const ToolpathLayer& first) {
-  constexpr double kLevel = 1e-6;  // mm
-  return layer.z_mm < before.z_mm && layer.z_mm - layer.height_mm <= first.z_mm - first.height_mm + kLevel;
-}
-
-}  // namespace
-
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
   if (settings.is_used) {
     const ToolpathTime time = estimateTime(toolpath, limits);
@@ -301,7 +314,7 @@ void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits&
     const std::vector<ToolpathLayer>& layers = toolpath.layers;
     std::size_t begin = 0;  // of the part
     for (std::size_t i = 0; i < layers.size(); ++i) {
-      if (i > 0 && beginsPart(layers[i], layers[i - 1], layers.front())) begin = i;
+      if (beginsPart(layers, i)) begin = i;
       if (layers[i].paths.empty()) continue;
       const double end_s = i + 1 < layers.size() ? time.layer_start_s[i + 1] : time.total_s;
       fan.add(layers[i].paths, {i, i - begin, fanShare(end_s - time.layer_start_s[i], i - begin, settings)});

@@ -3,8 +3,11 @@
 #include "planning/cooling/parking.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "lamina/toolpath/layer_frame.hpp"
+#include "toolpath/layer_time.hpp"
 
 namespace lamina {
 namespace {
@@ -19,6 +22,27 @@ void waitAlong(const Point3& against_tool_axis, double lift_mm, Path& path) {
   path.points.push_back(here + lift_mm * against_tool_axis);
   path.events.back().motion = path.points.size() - 1;
   path.points.push_back(here);
+}
+
+bool leansFrom(const Point3& up, const Path& path) {
+  return (path.orientation.at(0) * Point3::UnitZ()).cross(up).norm() > kUpright;
+}
+
+/// Whether a wait can go straight on to the next bead.
+bool canLeadOn(const Path& wait, const std::vector<Path>& way, const Path& next, const Point3& up) {
+  const Point3& parked = wait.points[wait.events.front().motion];
+  if (leansFrom(up, wait) || next.tool != wait.tool) return false;
+  if (wait.orientation.at(0).angularDistance(next.orientation.at(0)) > kUpright) return false;
+  if ((parked - next.firstPoint()).dot(up) < 0.0) return false;
+  return std::all_of(way.begin(), way.end(), [&wait](const Path& travel) {
+    return travel.tool == wait.tool && travel.events.empty() && travel.orientation.isCommon();
+  });
+}
+
+/// Of travels without dwells.
+double timeOf(std::vector<Path> paths, const MotionLimits& limits) {
+  for (Path& path : paths) path.events.clear();
+  return layerTime({0.0, 0.0, std::move(paths)}, limits);
 }
 
 }  // namespace
@@ -73,7 +97,7 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   path.events.emplace_back();
   path.events.back().event.emplace<Dwell>();
   const Point3 against = path.orientation.at(0) * Point3(0.0, 0.0, -1.0);
-  if (against.cross(ground.up).norm() > kUpright) {
+  if (leansFrom(ground.up, path)) {
     waitAlong(against, std::max(settings.lift_mm, kBeside), path);
     return path;
   }
@@ -83,6 +107,25 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   if (park != here && lift_mm > 0.0) path.points.push_back(here + lift);
   path.points.push_back(here);
   return path;
+}
+
+void leadOn(Path& wait, std::vector<Path>& way, const Path& next, const ParkingGround& ground,
+            const MotionLimits& limits) {
+  if (way.empty()) return;
+  if (!canLeadOn(wait, way, next, ground.up)) {
+    for (Path& travel : way) travel.process.is_retracted = true;
+    return;
+  }
+  const double before_s = timeOf({wait}, limits) + timeOf(way, limits);
+  const std::size_t parked = wait.events.front().motion;
+  const Point3& end = next.firstPoint();
+  const Point3 above = end + (wait.points[parked] - end).dot(ground.up) * ground.up;
+  wait.points.resize(parked + 1);
+  if (wait.points.back() != above) wait.points.push_back(above);
+  wait.points.push_back(end);
+  way.clear();
+  if (auto* const dwell = std::get_if<Dwell>(&wait.events.front().event))
+    dwell->duration_s = std::max(0.0, dwell->duration_s + before_s - timeOf({wait}, limits));
 }
 
 }  // namespace lamina

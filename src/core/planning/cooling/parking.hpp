@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/planning/cooling/cooling_settings.hpp"
+#include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -37,5 +38,17 @@ Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings);
+
+/// Leads a wait on to where the next bead begins, at the height of the wait and down there, in place of the
+/// way back and of the travels that followed it, which are taken away. Its dwell changes so that the next
+/// bead begins when it did. Where the tool axis leans, or changes, the wait is not as high as the next bead,
+/// or the travels change tools or carry events, the way stays; it is retracted then, so that the material is
+/// pushed forth again where the next bead begins.
+/// @param wait    of `parkedWait`
+/// @param way     travels from the end of the wait to the next bead; without any, nothing changes
+/// @param next    the next bead's path
+/// @param ground  of the layer of the wait
+void leadOn(Path& wait, std::vector<Path>& way, const Path& next, const ParkingGround& ground,
+            const MotionLimits& limits);
 
 }  // namespace lamina

@@ -129,7 +129,7 @@ class PlaceCooler {
     for (const std::size_t v : order) {
       const std::size_t place = pieces.place_of[v];
       goTo(pieces.visits[v], index, pieces.travel_feed_mm_s);
-      if (!is_begun[place]) waitUntil(ready_s[place], index, pieces.travel_feed_mm_s);
+      if (!is_begun[place]) waitUntil(ready_s[place], index, pieces.travel_feed_mm_s, pieces.visits[v]);
       is_begun[place] = true;
       lay(pieces.visits[v], toolpath_.layers[index]);
       if (place < pieces.places.size()) left_.left_s[first + place] = now_s_;
@@ -228,17 +228,18 @@ class PlaceCooler {
     return {std::move(way)};
   }
 
-  /// At the end of what was deposited before; the ways there and back count.
-  void waitUntil(double ready_s, std::size_t index, double feed_mm_s) {
+  /// At the end of what was deposited before; the ways there and on count.
+  void waitUntil(double ready_s, std::size_t index, double feed_mm_s, TimedVisit& visit) {
     const double lacking_s = ready_s - now_s_;
     if (last_ == nullptr || !(lacking_s > 0.0)) return;
     const Path& at = last_->paths.back();
-    Path wait =
-        parkedWait(at, at.is_closed ? 0 : at.points.size() - 1, feed_mm_s, grounds_[index], settings_);
-    std::vector<Path> waits = {std::move(wait)};
-    const double dwell_s = std::max(0.0, lacking_s - durationOf(waits, limits_));
-    std::get<Dwell>(waits.front().events.front().event).duration_s = dwell_s;
+    std::vector<Path> waits = {
+        parkedWait(at, at.is_closed ? 0 : at.points.size() - 1, feed_mm_s, grounds_[index], settings_)};
+    const double ways_s = durationOf(waits, limits_);
+    std::get<Dwell>(waits.front().events.front().event).duration_s = std::max(0.0, lacking_s - ways_s);
     now_s_ += durationOf(waits, limits_);
+    leadOn(waits.front(), visit.way, visit.paths.front(), grounds_[index], limits_);
+    const double dwell_s = std::get<Dwell>(waits.front().events.front().event).duration_s;
     add(last_->paths, waits);
     summary_.dwells += dwell_s > 0.0 ? 1 : 0;
     summary_.dwell_s += dwell_s;

@@ -50,7 +50,7 @@ class Hooks {
     for (const auto& [number, hook] : layerHooks(settings))
       at_[places_.layer(number, hook.key)].push_back(hook);
     for (const auto& [height_mm, hook] : heightHooks(settings))
-      at_[places_.above(height_mm, hook.key)].push_back(hook);
+      for (const std::size_t layer : places_.above(height_mm, hook.key)) at_[layer].push_back(hook);
   }
 
   void add() {

@@ -7,6 +7,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "toolpath/part_begin.hpp"
 
 namespace lamina {
 namespace {
@@ -32,12 +33,18 @@ std::size_t LayerPlaces::layer(std::size_t number, const std::string& what) cons
                       std::to_string(toolpath_.layers.size()) + ", counted from 0");
 }
 
-std::size_t LayerPlaces::above(double height_mm, const std::string& what) const {
+std::vector<std::size_t> LayerPlaces::above(double height_mm, const std::string& what) const {
+  std::vector<std::size_t> found;
+  bool is_sought = true;  // in this part
   for (std::size_t i = 0; i < toolpath_.layers.size(); ++i) {
     const ToolpathLayer& layer = toolpath_.layers[i];
+    is_sought = is_sought || beginsPart(toolpath_.layers, i);
     const bool lays = firstBead(layer) < layer.paths.size();
-    if (lays && topOf(i) - layer.height_mm >= height_mm - kSameHeight) return i;
+    if (!is_sought || !lays || topOf(i) - layer.height_mm < height_mm - kSameHeight) continue;
+    found.push_back(i);
+    is_sought = false;
   }
+  if (!found.empty()) return found;
   throw InvalidConfig(what + " asks for a height of " + numberText(height_mm) +
                       " mm; no layer begins at or above it");
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -20,9 +21,10 @@ class LayerPlaces {
   /// @throws InvalidConfig if there is none
   std::size_t layer(std::size_t number, const std::string& what) const;
 
-  /// Index of the first layer that deposits and begins at or above this height over the bed.
+  /// Indices of the first layer of each part that deposits and begins at or above this height over the bed:
+  /// one, or one for each part that is high enough where parts are deposited one after the other.
   /// @throws InvalidConfig if there is none
-  std::size_t above(double height_mm, const std::string& what) const;
+  std::vector<std::size_t> above(double height_mm, const std::string& what) const;
 
   /// Height of a layer's top along the layers' normal, as programs state it.
   double topOf(std::size_t layer) const { return toolpath_.layers[layer].z_mm + rise_mm_; }

@@ -17,7 +17,7 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
   for (const double layer : settings.at_layers)
     paused.insert(places.layer(static_cast<std::size_t>(layer), "pause.at_layers"));
   for (const double height_mm : settings.at_heights_mm)
-    paused.insert(places.above(height_mm, "pause.at_heights_mm"));
+    for (const std::size_t layer : places.above(height_mm, "pause.at_heights_mm")) paused.insert(layer);
   const std::vector<ParkingGround> grounds = parkingGrounds(toolpath);
   for (const std::size_t index : paused) {
     ToolpathLayer& layer = toolpath.layers[index];

@@ -3,7 +3,10 @@
 #include "planning/seams/seam.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "lamina/base/angle.hpp"
 
 namespace lamina {
 namespace {
@@ -40,6 +43,85 @@ Polygon startingAlong(Polygon loop, double distance) {
   return loop;
 }
 
+/// Over which a corner turns, on either side of it.
+constexpr double kArm = 0.5;  // mm
+const double kCorner = toRadians(30.0);
+constexpr double kSameTurn = 1e-9;  // rad
+constexpr double kTilt = 0.1;       // of +x in the direction of "back"
+
+/// The point this far along the loop from a vertex, at most half of the loop.
+/// @param step  1 onwards, size - 1 backwards
+Point2 pointBeside(const Polygon& loop, std::size_t vertex, std::size_t step) {
+  double left_mm = kArm;
+  Point2 at = loop[vertex];
+  for (std::size_t i = 0; i < loop.size() / 2; ++i) {
+    vertex = (vertex + step) % loop.size();
+    const Point2 way = loop[vertex] - at;
+    const double length_mm = way.norm();
+    if (length_mm >= left_mm) return at + left_mm / length_mm * way;
+    left_mm -= length_mm;
+    at = loop[vertex];
+  }
+  return at;
+}
+
+/// By how much the loop turns to the left at a vertex [rad].
+double turnAt(const Polygon& loop, std::size_t vertex) {
+  const Point2 before = loop[vertex] - pointBeside(loop, vertex, loop.size() - 1);
+  const Point2 behind = pointBeside(loop, vertex, 1) - loop[vertex];
+  return std::atan2(before.x() * behind.y() - before.y() * behind.x(), before.dot(behind));
+}
+
+/// How well a seam is seen at a vertex: less is better.
+struct SeamView {
+  int kind = 2;       ///< 0 at an inward corner, 1 at an outward one
+  double back = 0.0;  ///< [mm]
+};
+
+SeamView viewAt(const Polygon& loop, std::size_t vertex) {
+  const double turn = turnAt(loop, vertex);
+  const int kind = turn <= -kCorner ? 0 : turn >= kCorner ? 1 : 2;
+  return {kind, loop[vertex].y() + kTilt * loop[vertex].x()};
+}
+
+/// Beside a corner vertices turn as well, but less.
+std::size_t sharpestBeside(const Polygon& loop, std::size_t vertex) {
+  std::size_t sharpest = vertex;
+  double turn = std::abs(turnAt(loop, vertex));
+  for (const std::size_t step : {std::size_t{1}, loop.size() - 1}) {
+    std::size_t i = vertex;
+    for (double way_mm = 0.0; way_mm < kArm;) {
+      const std::size_t next = (i + step) % loop.size();
+      way_mm += (loop[next] - loop[i]).norm();
+      i = next;
+      if (i == vertex) break;
+      const double other = std::abs(turnAt(loop, i));
+      if (way_mm < kArm && other > turn + kSameTurn) {
+        turn = other;
+        sharpest = i;
+      }
+    }
+  }
+  return sharpest;
+}
+
+Polygon startingAtCorner(Polygon loop) {
+  if (loop.size() < 3) return loop;
+  std::size_t best = 0;
+  SeamView best_view = viewAt(loop, 0);
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    const SeamView view = viewAt(loop, i);
+    const bool is_better =
+        view.kind != best_view.kind ? view.kind < best_view.kind : view.back > best_view.back;
+    if (!is_better) continue;
+    best = i;
+    best_view = view;
+  }
+  if (best_view.kind < 2) best = sharpestBeside(loop, best);
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(best), loop.end());
+  return loop;
+}
+
 }  // namespace
 
 Seam::Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer)
@@ -53,6 +135,8 @@ Polygon Seam::placed(Polygon loop) {
       return startingNearest(std::move(loop), anchor_);
     case SeamPlacement::Rear:
       return startingAtFirst(std::move(loop), isFartherBack);
+    case SeamPlacement::Corner:
+      return startingAtCorner(std::move(loop));
     case SeamPlacement::Random: {
       const double distance = random_.uniform(0.0, perimeter(loop));
       return startingAlong(std::move(loop), distance);

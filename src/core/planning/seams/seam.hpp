@@ -14,7 +14,11 @@ namespace lamina {
 ///
 /// Aligned: the vertex nearest to `anchor`, which is the same point for all layers. Rear: the vertex farthest
 /// towards +y, of several the one farthest towards +x. Random: anywhere along the loop, by seed and layer.
-/// Nearest: the vertex nearest to the position from which the nozzle comes.
+/// Nearest: the vertex nearest to the position from which the nozzle comes. Corner: an inward corner, which
+/// hides the seam in its shadow, else an outward one, of several the one farthest back, else the vertex
+/// farthest back. Corners turn by at least 30 deg within 0.5 mm on either side; inward is to the right along
+/// the loop, as outlines run anticlockwise and holes clockwise. Back is +y, inclined to +x, so that equal
+/// corners of a level back edge are told apart in all layers alike.
 class Seam {
  public:
   Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer);

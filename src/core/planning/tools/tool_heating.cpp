@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lamina/toolpath/timing.hpp"
+#include "planning/cooling/parking.hpp"
 
 namespace lamina {
 namespace {
@@ -20,9 +21,10 @@ struct ToolUse {
   std::size_t end = 0;    ///< one past the last
 };
 
-/// A path and when it begins.
+/// A path, its layer, and when it begins.
 struct StartedPath {
   Path* path = nullptr;
+  std::size_t layer = 0;
   double start_s = 0.0;
 };
 
@@ -31,7 +33,7 @@ std::vector<StartedPath> startedPaths(Toolpath& toolpath, const MotionLimits& li
   std::vector<StartedPath> started;
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
-      started.push_back({&toolpath.layers[l].paths[p], times.start_s[l][p]});
+      started.push_back({&toolpath.layers[l].paths[p], l, times.start_s[l][p]});
   return started;
 }
 
@@ -46,8 +48,11 @@ std::vector<ToolUse> usesOf(const std::vector<StartedPath>& paths) {
 
 class ToolHeating {
  public:
-  ToolHeating(const std::vector<Tool>& tools, double nozzle_temperature_c, std::vector<StartedPath> paths)
-      : tools_(tools), nozzle_temperature_c_(nozzle_temperature_c), paths_(std::move(paths)) {}
+  ToolHeating(Toolpath& toolpath, const std::vector<Tool>& tools, const ToolHeatingSite& site)
+      : tools_(tools),
+        site_(site),
+        grounds_(parkingGrounds(toolpath)),
+        paths_(startedPaths(toolpath, site.limits)) {}
 
   void add() const {
     const std::vector<ToolUse> uses = usesOf(paths_);
@@ -74,14 +79,14 @@ class ToolHeating {
   /// The program's start heats tool 0 to the temperature of the program.
   bool isHeatedAtStart(std::uint32_t tool) const {
     if (tool >= tools_.size() || temperature(tool) == 0.0) return true;
-    return tool == 0 && temperature(tool) == nozzle_temperature_c_;
+    return tool == 0 && temperature(tool) == site_.nozzle_temperature_c;
   }
   bool isHeated(std::uint32_t tool) const {
     return tool < tools_.size() && temperature(tool) > 0.0 &&
            (tools_[tool].temperature_c > 0.0 || tools_[tool].standby_c > 0.0);
   }
   double temperature(std::uint32_t tool) const {
-    return tools_[tool].temperature_c > 0.0 ? tools_[tool].temperature_c : nozzle_temperature_c_;
+    return tools_[tool].temperature_c > 0.0 ? tools_[tool].temperature_c : site_.nozzle_temperature_c;
   }
 
   /// Stands by from the path at which it was left, if there is time to heat it again.
@@ -99,12 +104,33 @@ class ToolHeating {
     put(taken, "M109", tool, temperature(tool), waitingMotion(taken));
   }
 
-  /// On the prime tower where the nozzle goes there: before it leaves it stands on the part.
+  /// On the prime tower where the nozzle goes there, otherwise at the parking place, to which the travel is
+  /// led: before it the nozzle stands on the part.
   std::size_t waitingMotion(std::size_t taken) const {
-    const Path& first = *paths_[taken].path;
-    const bool is_way_to_tower = first.role == PathRole::Travel && taken + 1 < paths_.size() &&
-                                 paths_[taken + 1].path->role == PathRole::Prime;
-    return is_way_to_tower ? first.motionCount() : 0;
+    Path& first = *paths_[taken].path;
+    if (taken == 0 || first.role != PathRole::Travel || taken + 1 >= paths_.size()) return 0;
+    const Path& next = *paths_[taken + 1].path;
+    if (next.role == PathRole::Prime) return first.motionCount();
+    if (next.role == PathRole::Travel || !first.orientation.isCommon()) return 0;
+    return leadOverPark(first, next, grounds_[paths_[taken].layer]);
+  }
+
+  /// @return the motion of the travel that begins at the parking place
+  std::size_t leadOverPark(Path& travel, const Path& next, const ParkingGround& ground) const {
+    Path wait = parkedWait(travel, 0, travel.feed_mm_s.at(travel.points.size() - 1), ground, site_.parking);
+    const std::size_t parked = wait.events.front().motion;
+    std::vector<Path> way = {travel};
+    way.front().events.clear();
+    leadOn(wait, way, next, ground, site_.limits);
+    for (const Path& rest : way)
+      wait.points.insert(wait.points.end(), rest.points.begin() + 1, rest.points.end());
+    travel.points = std::move(wait.points);
+    travel.process.is_retracted = true;
+    travel.feed_mm_s = wait.feed_mm_s;
+    travel.bead = Bead{};
+    for (PathEvent& placed : travel.events)
+      if (placed.motion > 0) placed.motion = travel.motionCount();
+    return parked;
   }
 
   void put(std::size_t path, const char* command, std::uint32_t tool, double temperature_c,
@@ -121,18 +147,18 @@ class ToolHeating {
   }
 
   const std::vector<Tool>& tools_;
-  double nozzle_temperature_c_;
+  const ToolHeatingSite& site_;
+  std::vector<ParkingGround> grounds_;  ///< by layer
   std::vector<StartedPath> paths_;
 };
 
 }  // namespace
 
-void addToolHeating(Toolpath& toolpath, const std::vector<Tool>& tools, double nozzle_temperature_c,
-                    const MotionLimits& limits) {
+void addToolHeating(Toolpath& toolpath, const std::vector<Tool>& tools, const ToolHeatingSite& site) {
   const bool is_heated = std::any_of(tools.begin(), tools.end(), [](const Tool& tool) {
     return tool.temperature_c > 0.0 || tool.standby_c > 0.0;
   });
-  if (is_heated) ToolHeating(tools, nozzle_temperature_c, startedPaths(toolpath, limits)).add();
+  if (is_heated) ToolHeating(toolpath, tools, site).add();
 }
 
 }  // namespace lamina
