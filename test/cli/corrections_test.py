@@ -41,11 +41,11 @@ def digest(toolpath, layer, sequence, station_mm, stations):
     return f"{value:016x}"
 
 
-def correction_map(layer, amounts, toolpath=ID, length_mm=LENGTH_MM):
-    """A map of the bead of a layer, its path 1."""
+def correction_map(layer, amounts, toolpath=ID, length_mm=LENGTH_MM, path=1):
+    """A map of the bead of a layer, its path 1 unless the way to it is part of the wait before."""
     station_mm = length_mm / len(amounts)
     stations = [(amount, 0.0, 0.0) for amount in amounts]
-    rows = "".join(f"1,{station_mm!r},{amount!r},0,0\n" for amount in amounts)
+    rows = "".join(f"{path},{station_mm!r},{amount!r},0,0\n" for amount in amounts)
     return (f"# toolpath {toolpath}\n# layer {layer}\n# sequence 1\n# digest {digest(toolpath, layer, 1, station_mm, stations)}\n"
             f"path,station_mm,amount,speed,dz_mm\n{rows}")
 
@@ -308,8 +308,8 @@ class RobotPrograms(unittest.TestCase):
             text = file.read()
         self.write("toolpath.csv", f"#TOOLPATH: {ID}\n" + text)
         self.rows = [line.split(",") for line in text.splitlines()[1:]]
-        length_mm, time_s = self.length_and_time(2, 1)
-        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        length_mm, time_s = self.length_and_time(2, 0)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm, path=0))
         program, corrected = self.slice_again("src", *waiting)
         made = reported("correct", program, self.maps, "-o", corrected)
         self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=0.02 * time_s)

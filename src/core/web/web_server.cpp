@@ -15,6 +15,7 @@
 #include <boost/beast/http/read.hpp>
 #include <chrono>
 #include <csignal>
+#include <limits>
 #include <list>
 #include <thread>
 #include <utility>
@@ -188,7 +189,7 @@ class Connection {
     if (buffer_.size() == 0 && !socket_.waitForBytes(patience.idle_s)) return false;
     Parser parser;
     parser.header_limit(kMostHeader);
-    parser.body_limit(boost::none);  // the site refuses what is too large, by its size
+    parser.body_limit(std::numeric_limits<std::uint64_t>::max());  // the site refuses what is too large
     socket_.allow(patience.header_s);
     error_code error;
     http::read_header(reader_, buffer_, parser, error);

@@ -65,6 +65,7 @@ bool TransformSequence::isOfTimeBefore(const ros::Time& stamp) {
 }
 
 void TransformSequence::drop(const Waiting& ahead) {
+  if (!ros::Time::isValid()) return;  // of a bag, read without a clock
   ROS_WARN_THROTTLE(kQuiet, "transform from %s to %s left out: its stamp, %.3f s, is far ahead of the others",
                     ahead.transform.header.frame_id.c_str(), ahead.transform.child_frame_id.c_str(),
                     ahead.transform.header.stamp.toSec());

@@ -90,14 +90,15 @@ Purge purgeOf(const std::string& code) {
   return purge;
 }
 
-/// A nozzle that has oozed while it was heated lays nothing for its first centimetres. 0.64 mm2 is what
-/// Klipper takes of a nozzle of 0.4 mm, at 1.75 mm of filament.
+/// A nozzle that has oozed while it was heated lays nothing for its first centimetres. Prusa's own line
+/// ends with 12.5 mm of filament of 1.75 mm over 40 mm, 0.752 mm2; Klipper, of the machines that run it, takes
+/// 0.64 mm2 of a nozzle of 0.4 mm.
 TEST(ShippedProfiles, TheNozzleIsPrimedAtTheEdgeOfTheBed) {
   for (const std::string machine : kOwnedMachines) {
     const JobSettings settings = loadShipped(machine, "pla", "").settings;
     const Purge purge = purgeOf(settings.program.start_code);
     EXPECT_GE(purge.pushed_mm, 10.0) << machine;
-    EXPECT_LE(purge.thickest_mm2, 0.64) << machine;
+    EXPECT_LE(purge.thickest_mm2, machine.rfind("prusa_", 0) == 0 ? 0.752 : 0.64) << machine;
     EXPECT_LE(purge.way.high.z(), 0.4) << machine;
     const Box3 reach = boundingBox(buildSpaceOf(settings.machine));
     EXPECT_TRUE((purge.way.low.array() >= reach.low.array()).all() &&

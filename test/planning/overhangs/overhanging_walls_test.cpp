@@ -128,7 +128,8 @@ TEST(OverhangingWalls, AreNeverSlowerThanTheLeastFeed) {
   settings.overhangs.least_feed_mm_s = 14.0;
   const auto slowest = [&] {
     double feed_mm_s = 1e9;
-    for (const Path& path : plan(leaningCone(75.0), settings).layers[3].paths)
+    const Toolpath toolpath = plan(leaningCone(75.0), settings);
+    for (const Path& path : toolpath.layers[3].paths)
       for (const double feed : path.feed_mm_s.values()) feed_mm_s = std::min(feed_mm_s, feed);
     return feed_mm_s;
   };

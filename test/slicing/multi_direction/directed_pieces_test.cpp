@@ -180,8 +180,8 @@ TEST(DirectedPieces, AreRefusedWithWhatACutWouldHaveToFree) {
   EXPECT_NE(refusal.find("across 1 a cut would free less than 9.52 mm²"), std::string::npos) << refusal;
 }
 
-// Arms are freed along directions that lean by at least 45 deg: the rim of a head of radius 1000 mm, 5 mm
-// above its tip, is then at least (1000 - 5) / sqrt(2) = 703.6 mm lower than the tip.
+// The rim of a head of radius 1000 mm, 5 mm above its tip, is lower than the tip of a head that leans, and by
+// more than the part is high from a lean of 1.8 deg on.
 TEST(DirectedPieces, AreRefusedWithTheRoomThatTheHeadNeeds) {
   DirectionRequest request = quickRequest();
   request.head = {{5.0, 80.0, 1000.0}};
@@ -191,7 +191,7 @@ TEST(DirectedPieces, AreRefusedWithTheRoomThatTheHeadNeeds) {
   const std::string before = "its tip has to stay ";
   ASSERT_NE(refusal.find(before), std::string::npos) << refusal;
   const double height = std::stod(refusal.substr(refusal.find(before) + before.size()));
-  EXPECT_GE(height, 703.0);
+  EXPECT_GT(height, 26.0);
   EXPECT_LT(height, 1000.0);
 }
 

@@ -113,7 +113,8 @@ TEST(ArrivalField, IsTheCostFromTheFootOfALeaningCylinder) {
   }
 }
 
-// The bits are other steps in it then.
+// The bits are other steps in it then: the edge where the arms begin is known to half a cell's width along
+// them, 0.5 (cos 37 deg + sin 37 deg) = 0.7 cells.
 TEST(ArrivalField, TurnsWithThePart) {
   const GrowthGauge gauge = usualGauge();
   const Eigen::Rotation2Dd turn(toRadians(37.0));
@@ -124,7 +125,7 @@ TEST(ArrivalField, TurnsWithThePart) {
     const double beyond = std::max(0.0, std::abs(before.x()) - 6.0);
     return place.z() < 20.0 ? place.z() : 20.0 + gauge.cost(Point3(beyond, 0.0, place.z() - 20.0));
   };
-  EXPECT_LT(greatestError(grown(turned, 0.5), truth, anywhere), 0.6 * 0.5);
+  EXPECT_LT(greatestError(grown(turned, 0.5), truth, anywhere), 0.7 * 0.5);
 }
 
 TEST(ArrivalField, TiltsUndersidesAsTheGaugeSays) {
