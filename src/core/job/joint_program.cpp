@@ -229,8 +229,20 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }
 
+/// No controller's program states what leaves an arm of seven axes free.
+void refuseSevenAxes(const SliceJob& job, const BuildSpace& space) {
+  if (!isRobotFile(job.output) || !canTurnToolAxis(space)) return;
+  const auto model = kinematicModelOf(job.settings.machine);
+  if (model->redundancy() == nullptr) return;
+  throw InvalidInput(
+      "output '" + job.output + "' is a program in " + robotLanguageName(job.output) + ", but the machine '" +
+      space.name +
+      "' is an arm of seven axes, whose arm angle Lamina writes in no program; expected .csv, and to "
+      "drive it by its joints (trajectory_driver)");
+}
+
 /// A program that begins with a move of joints.
-void requireArm(const SliceJob& job, const BuildSpace& space) {
+void requireSixJoints(const SliceJob& job, const BuildSpace& space) {
   if (canTurnToolAxis(space) && isSixAxisArm(*kinematicModelOf(job.settings.machine))) return;
   throw InvalidInput("output '" + job.output + "' is a program in " + robotLanguageName(job.output) +
                      ", but the machine '" + space.name +
@@ -259,8 +271,9 @@ bool isRefusedUnlessClear(const SliceJob& job) {
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
+  refuseSevenAxes(job, space);
   if (programRunner(job.output) == ProgramRunner::OtherRobot) {
-    requireArm(job, space);
+    requireSixJoints(job, space);
     const std::string name = std::filesystem::path(job.output).stem().string();
     return requireWritable({*robotLanguageOf(job.output), name, job.settings.program.robot},
                            *kinematicModelOf(job.settings.machine));
