@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kinematics/joint_path/joint_unwinding.hpp"
+#include "kinematics/joint_path/redundancy_ladder.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
 #include "lamina/base/angle.hpp"
 
@@ -83,6 +84,7 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
   StationList list = stationsOf(toolpath, bed_from_part);
   if (list.stations.empty()) return {};
   setExternalAxes(list.stations, guarded.model, settings);
+  resolveRedundancy(list.stations, guarded, settings, progress);
   const RungSolver solver(guarded, settings);
   const StationTask task{list.stations, guarded.model, solver, settings};
   StationWayThrough way = searchLadder(task, progress);
