@@ -380,7 +380,7 @@ TEST_F(JointProgramTest, ProgramsForAnArmOfSevenAxesAreRefusedAndItsToolpathIsNo
   const std::string urdf = folder_.file("seven.urdf");
   writeFile(urdf, test::sphericalSevenOverPlate());
   job_.settings.machine.urdf = urdf;
-  for (const char* output : {"box.mod", "box.src", "box.script", "box.ls", "box.jbi"}) {
+  for (const char* output : {"box.mod", "box.src", "box.script", "box.ls", "box.jbi", "box.gcode"}) {
     job_.output = folder_.file(output);
     try {
       runSliceJob(job_, nobody_);

@@ -229,16 +229,16 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }
 
-/// No controller's program states what leaves an arm of seven axes free.
-void refuseSevenAxes(const SliceJob& job, const BuildSpace& space) {
-  if (!isRobotFile(job.output) || !canTurnToolAxis(space)) return;
+/// Programs state six joints, and neither the arm angle of seven axes nor what five cannot reach.
+void refuseOtherArms(const SliceJob& job, const BuildSpace& space) {
+  if (!isProgram(job) || !canTurnToolAxis(space)) return;
   const auto model = kinematicModelOf(job.settings.machine);
-  if (model->redundancy() == nullptr) return;
-  throw InvalidInput(
-      "output '" + job.output + "' is a program in " + robotLanguageName(job.output) + ", but the machine '" +
-      space.name +
-      "' is an arm of seven axes, whose arm angle Lamina writes in no program; expected .csv, and to "
-      "drive it by its joints (trajectory_driver)");
+  if (!isArm(*model) || isSixAxisArm(*model)) return;
+  const std::string axes = model->redundancy() == nullptr ? "five" : "seven";
+  throw InvalidInput("output '" + job.output + "' is a program, but the machine '" + space.name +
+                     "' is an arm of " + axes +
+                     " axes, and programs are written for arms of six; expected .csv, which is driven by "
+                     "joints (trajectory_driver)");
 }
 
 /// A program that begins with a move of joints.
@@ -271,7 +271,7 @@ bool isRefusedUnlessClear(const SliceJob& job) {
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
-  refuseSevenAxes(job, space);
+  refuseOtherArms(job, space);
   if (programRunner(job.output) == ProgramRunner::OtherRobot) {
     requireSixJoints(job, space);
     const std::string name = std::filesystem::path(job.output).stem().string();

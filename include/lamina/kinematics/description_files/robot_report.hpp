@@ -44,7 +44,7 @@ std::string withBedAndNozzle(const std::string& urdf);
 
 /// The summary of a robot's description.
 /// @param urdf  as `readMachineDescription` returns it
-/// @throws InvalidConfig if it is no robot with six or seven rotary joints whose inverse kinematics Lamina
+/// @throws InvalidConfig if it is no robot with five to seven rotary joints whose inverse kinematics Lamina
 /// can solve
 RobotReport robotReport(const std::string& urdf);
 

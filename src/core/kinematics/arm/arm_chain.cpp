@@ -8,13 +8,13 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kFewestJoints = 6;
+constexpr std::size_t kFewestJoints = 5;
 constexpr std::size_t kMostArmJoints = 7;
 
 [[noreturn]] void refuse(const SerialChain& chain, const std::string& what) {
   throw InvalidConfig(
       "arm '" + chain.name + "' " + what +
-      "; expected six or seven rotary joints next to the nozzle, all others named external_1, ...");
+      "; expected five to seven rotary joints next to the nozzle, all others named external_1, ...");
 }
 
 void append(SerialChain& chain, const SerialChain& whole, std::size_t index) {

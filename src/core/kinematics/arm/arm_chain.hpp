@@ -23,7 +23,7 @@ struct ArmChain {
 };
 
 /// Splits a chain.
-/// @throws InvalidConfig stating the joints found, unless six or seven rotary joints are next to the nozzle
+/// @throws InvalidConfig stating the joints found, unless five to seven rotary joints are next to the nozzle
 /// and all
 ///   others are named external_...
 ArmChain armChain(SerialChain whole);

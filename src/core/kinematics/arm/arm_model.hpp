@@ -39,7 +39,7 @@ class ArmModel : public KinematicModel {
 /// @throws InvalidConfig naming the model if it is no arm
 const ArmModel& requireArm(const KinematicModel& model);
 
-/// Makes the kinematic model of an arm of six or seven axes from its URDF.
+/// Makes the kinematic model of an arm of five to seven axes from its URDF.
 /// @throws InvalidConfig as `serialChain` and `armChain`, and naming the two axes if neighbouring axes of
 ///   seven are not at right angles
 std::unique_ptr<KinematicModel> armModel(const urdf::ModelInterface& model, const std::string& text);

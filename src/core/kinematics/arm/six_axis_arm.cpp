@@ -18,29 +18,29 @@ struct NamedClass {
 
 }  // namespace
 
-SixAxisArm::SixAxisArm(ArmChain chain) : ArmModel(std::move(chain)) {
+ClassifiedInverse classifiedInverse(const SerialChain& arm) {
   constexpr NamedClass kClasses[] = {{"spherical wrist", &closedFormInverse},
                                      {"three parallel axes", &parallelAxesInverse},
-                                     {"wrist with an offset", &offsetWristInverse},
-                                     {"any other, by iteration", &iteratedInverse}};
-  for (const NamedClass& each : kClasses) {
-    inverse_ = each.make(this->chain().arm);
-    class_ = each.name;
-    if (inverse_) return;
-  }
+                                     {"wrist with an offset", &offsetWristInverse}};
+  for (const NamedClass& each : kClasses)
+    if (auto inverse = each.make(arm)) return {std::move(inverse), each.name};
+  return {iteratedInverse(arm), "any other, by iteration"};
 }
+
+SixAxisArm::SixAxisArm(ArmChain chain)
+    : ArmModel(std::move(chain)), inverse_(classifiedInverse(this->chain().arm)) {}
 
 InverseSolutions SixAxisArm::solutions(const Eigen::Isometry3d& bed_from_nozzle,
                                        const JointValues& near) const {
   const Eigen::Isometry3d wanted = withoutExternal(chain(), bed_from_nozzle, near);
   InverseSolutions found;
-  for (const ArmSolution& solution : inverse_->solutions(wanted, armValues(chain(), near)))
+  for (const ArmSolution& solution : inverse_.inverse->solutions(wanted, armValues(chain(), near)))
     found.push_back({solution.branch, withArmValues(chain(), near, solution.values)});
   return found;
 }
 
 double SixAxisArm::singularityMargin(const JointValues& values) const {
-  return inverse_->singularityMargin(armValues(chain(), values));
+  return inverse_.inverse->singularityMargin(armValues(chain(), values));
 }
 
 const SixAxisArm& requireSixAxisArm(const KinematicModel& model) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "kinematics/arm/arm_inverse.hpp"
@@ -18,13 +17,14 @@ class SixAxisArm : public ArmModel {
   InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
                              const JointValues& near) const override;
   double singularityMargin(const JointValues& values) const override;
-  std::string kinematicClass() const override { return class_; }
+  std::string kinematicClass() const override { return inverse_.name; }
 
-  ArmSines sines(const JointValues& values) const { return inverse_->sines(armValues(chain(), values)); }
+  ArmSines sines(const JointValues& values) const {
+    return inverse_.inverse->sines(armValues(chain(), values));
+  }
 
  private:
-  std::unique_ptr<const ArmInverse> inverse_;
-  std::string class_;
+  ClassifiedInverse inverse_;
 };
 
 /// The kinematic model as a six-axis arm.
