@@ -52,6 +52,12 @@ void asideWrist(benchmark::State& state) {
 void raisedWrist(benchmark::State& state) {
   solve(state, *kinematicModelFromUrdf(test::raisedWristArm().urdf()));
 }
+void sphericalSeven(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::sphericalSeven().urdf()));
+}
+void offsetSeven(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::offsetSeven().urdf()));
+}
 void noClass(benchmark::State& state) {
   solve(state, *kinematicModelFromUrdf(test::scatteredWristArm().urdf()));
 }
@@ -63,6 +69,8 @@ BENCHMARK(parallelAxes);
 BENCHMARK(roundedParallelAxes);
 BENCHMARK(asideWrist);
 BENCHMARK(raisedWrist);
+BENCHMARK(sphericalSeven);
+BENCHMARK(offsetSeven);
 BENCHMARK(noClass)->Unit(benchmark::kMillisecond);
 
 }  // namespace

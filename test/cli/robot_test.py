@@ -44,6 +44,26 @@ class Robot(unittest.TestCase):
             self.assertAlmostEqual(report["joints"][0]["speed"], 120.0)
             self.assertTrue(os.path.exists(written))
 
+    def test_an_arm_of_seven_axes_runs_a_toolpath_and_no_program(self):
+        arm = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "robots", "seven_axis_arm.urdf")
+        report = json.loads(lamina("robot", arm, "--json").stdout)
+        self.assertEqual(report["class"], "seven axes, spherical shoulder and wrist")
+        self.assertIn("arm angle", report["redundancy"])
+        self.assertEqual(len(report["joints"]), 7)
+        self.assertIn("redundancy arm angle", lamina("robot", arm).stdout)
+        with tempfile.TemporaryDirectory() as folder:
+            part, points = os.path.join(folder, "tube.stl"), os.path.join(folder, "tube.csv")
+            lamina("part", "tube", "--set", "radius_mm=50", "--set", "inner_radius_mm=46.8", "--set", "height_mm=1.6", "-o", part)
+            settings = [word for setting in TUBE[1:] for word in ("--set", setting)]
+            sliced = lamina("slice", part, "--machine", arm, *settings, "-o", points)
+            self.assertEqual(sliced.returncode, 0, sliced.stderr)
+            checked = lamina("check", points, "--machine", arm)
+            self.assertEqual(checked.returncode, 0, checked.stderr)
+            self.assertIn("the machine can run it", checked.stdout)
+            refused = lamina("slice", part, "--machine", arm, *settings, "-o", os.path.join(folder, "tube.src"))
+            self.assertNotEqual(refused.returncode, 0)
+            self.assertIn("an arm of seven axes", refused.stderr)
+
     def test_the_rest_of_a_program_is_a_program_of_its_own(self):
         with tempfile.TemporaryDirectory() as folder:
             part = os.path.join(folder, "tube.stl")

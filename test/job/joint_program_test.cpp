@@ -19,6 +19,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "support/arms.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
@@ -373,6 +374,25 @@ TEST_F(JointProgramTest, AnArmThatReportsNoJointsGetsTheTargetsOfTheToolpath) {
   ASSERT_EQ(totals(read).waypoints, totals(sliced.toolpath).waypoints);
   const Path& path = sliced.toolpath.layers[0].paths[0];
   EXPECT_LT(read.layers[0].paths[0].orientation.at(0).angularDistance(path.orientation.at(0)), 1e-6);
+}
+
+TEST_F(JointProgramTest, ProgramsForAnArmOfSevenAxesAreRefusedAndItsToolpathIsNot) {
+  const std::string urdf = folder_.file("seven.urdf");
+  writeFile(urdf, test::sphericalSevenOverPlate());
+  job_.settings.machine.urdf = urdf;
+  for (const char* output : {"box.mod", "box.src", "box.script", "box.ls", "box.jbi", "box.gcode"}) {
+    job_.output = folder_.file(output);
+    try {
+      runSliceJob(job_, nobody_);
+      ADD_FAILURE() << output << " is not refused";
+    } catch (const InvalidInput& refused) {
+      EXPECT_NE(std::string(refused.what()).find("an arm of seven axes"), std::string::npos)
+          << refused.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(job_.output));
+  }
+  job_.output = folder_.file("box.csv");
+  EXPECT_FALSE(runSliceJob(job_, nobody_).toolpath.layers.empty());
 }
 
 }  // namespace

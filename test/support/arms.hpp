@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -84,6 +85,63 @@ inline ArmDescription scatteredWristArm() {
   return {{"xyz=\"0 0 0.3\"", "xyz=\"0.1 0 0\"", "xyz=\"0 0 0.5\"", "xyz=\"0.1 0 0.1\"", "xyz=\"0.4 0 0.06\"",
            "xyz=\"0.1 0 0.08\""},
           {"0 0 1", "0 1 0", "0 1 0", "1 0 0", "0 1 0", "1 0 0"}};
+}
+
+/// An arm of seven joints that stands upright at zero, with a bed in front of it and a nozzle along axis 7.
+/// Axes are z, y, z, -y, z, y, z.
+struct SevenAxisDescription {
+  std::array<std::string, 7> origins;  ///< "x y z" of each joint over the one before [m]
+  std::array<double, 7> limits_deg = {170, 120, 170, 130, 170, 120, 175};
+  std::string fourth_axis = "0 -1 0";
+  std::string nozzle = "0 0 0.25";
+
+  std::string urdf() const {
+    std::string text = "<robot name=\"seven\"><link name=\"base_link\"/>";
+    text += fixedJoint("bed", "base_link", "xyz=\"0.55 0 0.05\"");
+    std::string parent = "base_link";
+    for (std::size_t j = 0; j < origins.size(); ++j) {
+      const std::string name = "axis_" + std::to_string(j + 1);
+      const std::string limit = std::to_string(limits_deg[j] * M_PI / 180.0);
+      text += "<link name=\"" + name + "_link\"/><joint name=\"" + name +
+              "\" type=\"revolute\"><parent link=\"" + parent + "\"/><child link=\"" + name +
+              "_link\"/><origin xyz=\"" + origins[j] + "\"/><axis xyz=\"" + axisOf(j) +
+              "\"/><limit lower=\"-" + limit + "\" upper=\"" + limit +
+              "\" velocity=\"2\" effort=\"1\"/></joint>";
+      parent = name + "_link";
+    }
+    return text + fixedJoint("nozzle", parent, "xyz=\"" + nozzle + "\"") + "</robot>";
+  }
+
+ private:
+  std::string axisOf(std::size_t joint) const {
+    if (joint == 3) return fourth_axis;
+    return joint % 2 == 0 ? "0 0 1" : "0 1 0";
+  }
+};
+
+/// Axes 1 to 3 meet in the shoulder, axes 5 to 7 in the wrist, axes 3 and 5 in the elbow.
+inline SevenAxisDescription sphericalSeven() {
+  return {{"0 0 0.1", "0 0 0.24", "0 0 0.2", "0 0 0.21", "0 0 0.19", "0 0 0.2", "0 0 0.1"}};
+}
+
+/// The same over a plate, 300 mm square, on which parts are placed.
+inline std::string sphericalSevenOverPlate() {
+  std::string text = sphericalSeven().urdf();
+  const std::string bed = "<link name=\"bed\"/>";
+  return text.replace(text.find(bed), bed.size(),
+                      "<link name=\"bed\"><collision><origin xyz=\"0 0 -0.01\"/><geometry><box size=\"0.3 "
+                      "0.3 0.02\"/></geometry></collision></link>");
+}
+
+/// The same with its axes 2, 5 and 7 beside the points where they should meet, by up to 0.4 mm.
+inline SevenAxisDescription nearlySphericalSeven() {
+  return {{"0 0 0.1", "0.0004 0 0.24", "-0.0004 0 0.2", "0 0 0.21", "0.0002 0.0003 0.19", "0 0 0.2",
+           "0 0.0003 0.1"}};
+}
+
+/// An arm whose elbow stands off axes 3 and 5, and whose axis 7 stands off the wrist.
+inline SevenAxisDescription offsetSeven() {
+  return {{"0 0 0.12", "0 0 0.2", "0 0 0.31", "0.07 0 0", "-0.07 0 0.36", "0 0 0", "0.06 0 -0.04"}};
 }
 
 /// Values in the ranges of the joints, and at most a turn.

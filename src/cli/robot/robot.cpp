@@ -30,6 +30,7 @@ void printRobot(const RobotReport& report) {
   const Eigen::Quaterniond turn(zero.linear());
   std::printf("robot      %s\n", report.name.c_str());
   std::printf("class      %s\n", report.kinematic_class.c_str());
+  if (!report.redundancy.empty()) std::printf("redundancy %s\n", report.redundancy.c_str());
   std::printf("flange     %s\n", report.flange.c_str());
   std::printf("at zero    (%.3f, %.3f, %.3f) mm, quaternion (%.6f, %.6f, %.6f, %.6f)\n",
               zero.translation().x(), zero.translation().y(), zero.translation().z(), turn.w(), turn.x(),
@@ -66,6 +67,7 @@ void printRobotJson(const RobotReport& report) {
   const nlohmann::ordered_json json = {
       {"name", report.name},
       {"class", report.kinematic_class},
+      {"redundancy", report.redundancy},
       {"flange", report.flange},
       {"flange_at_zero_mm", {zero.translation().x(), zero.translation().y(), zero.translation().z()}},
       {"flange_at_zero_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}},

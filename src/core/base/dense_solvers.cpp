@@ -44,6 +44,10 @@ Matrix6d solutionOf(const Matrix6d& matrix, const Matrix6d& right) {
   return matrix.partialPivLu().solve(right);
 }
 
+Vector7d solutionOf(const Matrix7d& matrix, const Vector7d& right) {
+  return matrix.partialPivLu().solve(right);
+}
+
 Matrix6d inverseOf(const Matrix6d& matrix) { return matrix.inverse(); }
 
 }  // namespace lamina

@@ -43,6 +43,10 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 /// Solution of a system whose matrix must be regular; otherwise the result is not finite.
 Vector6d solutionOf(const Matrix6d& matrix, const Vector6d& right);
 Matrix6d solutionOf(const Matrix6d& matrix, const Matrix6d& right);
+/// The same for the seven joints of a redundant arm.
+using Matrix7d = Eigen::Matrix<double, 7, 7>;
+using Vector7d = Eigen::Matrix<double, 7, 1>;
+Vector7d solutionOf(const Matrix7d& matrix, const Vector7d& right);
 Matrix6d inverseOf(const Matrix6d& matrix);
 
 }  // namespace lamina

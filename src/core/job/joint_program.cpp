@@ -229,8 +229,20 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }
 
+/// Programs state six joints, and neither the arm angle of seven axes nor what five cannot reach.
+void refuseOtherArms(const SliceJob& job, const BuildSpace& space) {
+  if (!isProgram(job) || !canTurnToolAxis(space)) return;
+  const auto model = kinematicModelOf(job.settings.machine);
+  if (!isArm(*model) || isSixAxisArm(*model)) return;
+  const std::string axes = model->redundancy() == nullptr ? "five" : "seven";
+  throw InvalidInput("output '" + job.output + "' is a program, but the machine '" + space.name +
+                     "' is an arm of " + axes +
+                     " axes, and programs are written for arms of six; expected .csv, which is driven by "
+                     "joints (trajectory_driver)");
+}
+
 /// A program that begins with a move of joints.
-void requireArm(const SliceJob& job, const BuildSpace& space) {
+void requireSixJoints(const SliceJob& job, const BuildSpace& space) {
   if (canTurnToolAxis(space) && isSixAxisArm(*kinematicModelOf(job.settings.machine))) return;
   throw InvalidInput("output '" + job.output + "' is a program in " + robotLanguageName(job.output) +
                      ", but the machine '" + space.name +
@@ -259,8 +271,9 @@ bool isRefusedUnlessClear(const SliceJob& job) {
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
+  refuseOtherArms(job, space);
   if (programRunner(job.output) == ProgramRunner::OtherRobot) {
-    requireArm(job, space);
+    requireSixJoints(job, space);
     const std::string name = std::filesystem::path(job.output).stem().string();
     return requireWritable({*robotLanguageOf(job.output), name, job.settings.program.robot},
                            *kinematicModelOf(job.settings.machine));

@@ -6,6 +6,7 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/run_settings.hpp"
+#include "support/arms.hpp"
 #include "support/gantry_head.hpp"
 #include "support/tilting_arm.hpp"
 
@@ -92,6 +93,20 @@ SettingProbe armProbe() {
             "joints.max_step_mm=100;joints.max_step_deg=90;joints.tip_tolerance_mm=100"}}};
 }
 
+SettingProbe sevenAxisProbe() {
+  const Toolpath toolpath = beads(60.0, 15.0);
+  return {
+      "joints of an arm of seven axes",
+      "joints.yaw_samples=24",
+      [toolpath](const SettingTexts& set) {
+        NoProgress nobody;
+        return jointsText(runOn(*kinematicModelFromUrdf(test::sphericalSeven().urdf()), toolpath,
+                                Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints, nobody)
+                              .path);
+      },
+      {{"joints.redundancy_samples=1"}}};
+}
+
 SettingProbe turntableProbe() {
   return {"joints of an arm with a table",
           "joints.yaw_samples=24",
@@ -167,8 +182,8 @@ std::vector<SettingProbe> branchProbes() {
 }  // namespace
 
 std::vector<SettingProbe> jointProbes() {
-  std::vector<SettingProbe> probes = {armProbe(), turntableProbe(), tiltingTableProbe(), uprightHeadProbe(),
-                                      swingProbe()};
+  std::vector<SettingProbe> probes = {armProbe(),          sevenAxisProbe(),   turntableProbe(),
+                                      tiltingTableProbe(), uprightHeadProbe(), swingProbe()};
   for (SettingProbe& probe : branchProbes()) probes.push_back(std::move(probe));
   return probes;
 }

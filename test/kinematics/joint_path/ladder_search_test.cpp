@@ -21,8 +21,9 @@ std::vector<JointRange> twoJoints() {
       {{"winding", JointKind::Rotary, -4.0, 4.0, 2.0}, {"short", JointKind::Rotary, -2.0, 2.0, 1.0}});
 }
 
-Rung randomRung(Random& random, SampleKind kind, int samples, int branches) {
+Rung randomRung(Random& random, SampleKind kind, int samples, int branches, int rows = 1) {
   Rung rung;
+  rung.rows = rows;
   rung.kind = kind;
   rung.samples = samples;
   rung.branches = branches;
@@ -55,16 +56,19 @@ double edgeCost(const RungSlot& first, const RungSlot& second, const StationMoti
   if (!(a.penalty[from] < kNever) || !(b.penalty[to] < kNever)) return kNever;
   const double winding = std::remainder(b.at(to)[0] - a.at(from)[0], 2.0 * M_PI);
   const double straight = b.at(to)[1] - a.at(from)[1];
-  const int apart = std::abs(sampleOf(a.idOf(from)) - sampleOf(b.idOf(to)));
-  const int around = std::min(apart, b.samples - apart);
-  const double yaw = 2.0 * M_PI * around / b.samples;
+  const int per_row = b.samples / b.rows;
+  const int apart = std::abs(sampleOf(a.idOf(from)) % per_row - sampleOf(b.idOf(to)) % per_row);
+  const int around = std::min(apart, per_row - apart);
+  const double yaw = 2.0 * M_PI * around / per_row;
+  const int rows = std::abs(sampleOf(a.idOf(from)) / per_row - sampleOf(b.idOf(to)) / per_row);
+  const bool is_next_row = std::min(rows, b.rows - rows) <= 1;
   const double turns = winding * winding / 4.0 + straight * straight + settings.yaw_weight * yaw * yaw;
   const double most = settings.max_turn_deg * M_PI / 180.0;
   const bool is_same = branchOf(a.idOf(from)) == branchOf(b.idOf(to));
   const bool is_small = std::abs(winding) <= most && std::abs(straight) <= most;
   const bool is_free = motion.way != StationWay::Deposition;
   const double cost = turns / motion.duration_s + b.penalty[to] * motion.duration_s;
-  if (is_same && around <= settings.yaw_reach && (is_small || is_free)) return cost;
+  if (is_same && is_next_row && around <= settings.yaw_reach && (is_small || is_free)) return cost;
   return motion.way == StationWay::ClearTravel ? cost + settings.branch_change_cost : kNever;
 }
 
@@ -94,8 +98,10 @@ double bruteForce(const SmallLadder& ladder, const JointPathSettings& settings) 
   }
 }
 
-TEST(LadderSearch, FindsWhatTryingAllWaysFinds) {
+/// Ladders of random rungs of four samples a row, against all ways through them.
+void expectTheCheapestWays(int rows) {
   int joined = 0;
+  const std::size_t length = rows > 1 ? 3 : 5;  // all ways are tried
   EXPECT_TRUE(rc::check([&](std::uint32_t seed) {
     Random random(seed);
     JointPathSettings settings;
@@ -104,8 +110,8 @@ TEST(LadderSearch, FindsWhatTryingAllWaysFinds) {
     LadderSearch search(twoJoints(), settings, nullptr);
     SmallLadder ladder;
     bool is_whole = true;
-    for (std::size_t i = 0; i < 5; ++i) {
-      ladder.rungs.push_back(randomRung(random, SampleKind::Yaw, 4, 2));
+    for (std::size_t i = 0; i < length; ++i) {
+      ladder.rungs.push_back(randomRung(random, SampleKind::Yaw, 4 * rows, rows > 1 ? 1 : 2, rows));
       ladder.motions.push_back(randomMotion(random));
       const auto link = search.advance(ladder.rungs.back(), ladder.motions.back());
       is_whole &= link == LadderSearch::Link::Joined || (i == 0 && link == LadderSearch::Link::Start);
@@ -121,6 +127,10 @@ TEST(LadderSearch, FindsWhatTryingAllWaysFinds) {
   }));
   EXPECT_GT(joined, 10);
 }
+
+TEST(LadderSearch, FindsWhatTryingAllWaysFinds) { expectTheCheapestWays(1); }
+
+TEST(LadderSearch, GoesFromRowToRow) { expectTheCheapestWays(5); }
 
 /// A rung of one node.
 Rung single(double winding, double straight) {

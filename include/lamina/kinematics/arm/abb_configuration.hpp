@@ -21,6 +21,9 @@ struct AbbConfiguration {
 /// configurations.
 bool isSixAxisArm(const KinematicModel& model);
 
+/// Whether the kinematic model is an arm, of however many axes.
+bool isArm(const KinematicModel& model);
+
 /// The configuration of an arm at joint values by ABB's convention: at zero the forearm is level and the
 /// wrist straight. A value that is less than 1e-9 rad below the next quarter counts as lying in it.
 /// @throws InvalidConfig if the kinematic model is no six-axis arm

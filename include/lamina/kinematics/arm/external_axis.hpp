@@ -22,7 +22,7 @@ struct TableHeading {
 /// @param tool_axis  of unit length [bed frame]
 /// @param near  of the equivalent values the one nearest to this is returned [rad]; this one itself if the
 ///   tool axis is parallel to the table's axis
-/// @throws InvalidConfig if the kinematic model is no six-axis arm, or has no rotary joint external_1 that
+/// @throws InvalidConfig if the kinematic model is no arm, or has no rotary joint external_1 that
 ///   carries its bed
 double tableValue(const KinematicModel& arm, const Point3& tool_axis, const TableHeading& heading,
                   double near);

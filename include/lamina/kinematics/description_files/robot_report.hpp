@@ -24,6 +24,7 @@ struct RobotReport {
   std::string name;
   std::vector<DrivenJoint> joints;  ///< in order from base to flange
   std::string kinematic_class;      ///< class of kinematics, by which the inverse kinematics are solved
+  std::string redundancy;           ///< what a pose of the flange leaves free, in words; empty if nothing
   std::string flange;               ///< link at the end of the chain
   /// Pose of the flange relative to the root, with all joints at zero [mm].
   Eigen::Isometry3d base_from_flange_at_zero = Eigen::Isometry3d::Identity();
@@ -43,7 +44,8 @@ std::string withBedAndNozzle(const std::string& urdf);
 
 /// The summary of a robot's description.
 /// @param urdf  as `readMachineDescription` returns it
-/// @throws InvalidConfig if it is no robot with six rotary joints whose inverse kinematics Lamina can solve
+/// @throws InvalidConfig if it is no robot with five to seven rotary joints whose inverse kinematics Lamina
+/// can solve
 RobotReport robotReport(const std::string& urdf);
 
 }  // namespace lamina

@@ -35,6 +35,8 @@ struct JointPathSettings {
   /// Cost of a change of yaw [s²/rad²]; that of a joint is 1 / its greatest speed, squared.
   double yaw_weight = 0.02;
   bool is_yaw_smoothed = true;  ///< whether the yaw is smoothed after the samples are chosen
+  /// Number of samples of the redundancy of an arm of seven axes, over a whole turn; 1: it is held at 0.
+  int redundancy_samples = 18;
 
   /// Rotation of a rotary joint above which a motion other than a travel is a jump.
   double max_turn_deg = 90.0;

@@ -52,6 +52,18 @@ enum class ToolAxisSpin : std::uint8_t {
   Given,  ///< yes: inverse solutions have the whole pose
 };
 
+/// The angle that a pose of the nozzle leaves free in a redundant model, beside what `near` states. All
+/// values from -pi to pi are of one turn: joint values are continuous from one end to the other.
+class Redundancy {
+ public:
+  virtual ~Redundancy() = default;
+  /// The angle at joint values [rad], in (-pi, pi].
+  virtual double angleAt(const JointValues& values) const = 0;
+  /// As `KinematicModel::solutions`, for one value of the angle.
+  virtual InverseSolutions solutionsWith(const Eigen::Isometry3d& bed_from_nozzle, const JointValues& near,
+                                         double angle) const = 0;
+};
+
 /// Forward and inverse kinematics of a machine or robot that moves a nozzle relative to a bed. Models are
 /// immutable; all calls may be made from several threads.
 class KinematicModel {
@@ -70,7 +82,7 @@ class KinematicModel {
   /// All inverse solutions, at most one per branch, in order of the branches. Rotary values lie in (-pi, pi];
   /// limits of joints are not checked. Empty if the pose is out of reach.
   /// @param near  values for joints that the pose does not determine: one that is free at a singularity, or
-  ///   an external axis
+  ///   an external axis; a redundant model keeps the angle that it has at these values
   virtual InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
                                      const JointValues& near) const = 0;
 
@@ -84,6 +96,9 @@ class KinematicModel {
 
   /// Values of all joints of the URDF that move, driven or not, by name [mm, rad].
   virtual std::map<std::string, double> urdfJoints(const JointValues& values) const = 0;
+
+  /// The redundancy of the model; null if it has none.
+  virtual const Redundancy* redundancy() const { return nullptr; }
 };
 
 /// Names of all machines and robots that come with Lamina (`urdf/`).

@@ -18,6 +18,8 @@ int quarterTurn(double angle) { return static_cast<int>(std::floor((angle + kRou
 
 bool isSixAxisArm(const KinematicModel& model) { return dynamic_cast<const SixAxisArm*>(&model) != nullptr; }
 
+bool isArm(const KinematicModel& model) { return dynamic_cast<const ArmModel*>(&model) != nullptr; }
+
 AbbConfiguration abbConfiguration(const KinematicModel& arm, const JointValues& values) {
   const SixAxisArm& six_axes = requireSixAxisArm(arm);
   const ArmValues joints = armValues(six_axes.chain(), values);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kinematics/arm/six_axis_arm.hpp"
+#include "kinematics/arm/arm_model.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -27,7 +27,7 @@ const ChainLink& carrierOf(const SerialChain& chain) {
 }  // namespace
 
 ArmCell armCell(const KinematicModel& arm) {
-  const SerialChain& chain = requireSixAxisArm(arm).chain().whole;
+  const SerialChain& chain = requireArm(arm).chain().whole;
   if (linkNamed(chain, "tool0") == nullptr)
     throw InvalidConfig("arm '" + arm.name() +
                         "' has no link tool0; expected one, the flange as its controller counts it");

@@ -8,11 +8,13 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kArmJoints = 6;
+constexpr std::size_t kFewestJoints = 5;
+constexpr std::size_t kMostArmJoints = 7;
 
 [[noreturn]] void refuse(const SerialChain& chain, const std::string& what) {
-  throw InvalidConfig("arm '" + chain.name + "' " + what +
-                      "; expected six rotary joints next to the nozzle, all others named external_1, ...");
+  throw InvalidConfig(
+      "arm '" + chain.name + "' " + what +
+      "; expected five to seven rotary joints next to the nozzle, all others named external_1, ...");
 }
 
 void append(SerialChain& chain, const SerialChain& whole, std::size_t index) {
@@ -36,25 +38,15 @@ ArmChain armChain(SerialChain whole) {
       continue;
     }
     if (joint.kind != JointKind::Rotary) refuse(whole, "has a linear joint '" + joint.name + "'");
-    if (count < kArmJoints) split.arm_index[count] = j;
+    if (count < kMostArmJoints) split.arm_index.push_back(j);
     append(split.arm, whole, index);
   }
-  if (split.arm.joints.size() != kArmJoints)
-    refuse(whole, "has " + std::to_string(split.arm.joints.size()) + " rotary joints");
+  const std::size_t count = split.arm.joints.size();
+  if (count < kFewestJoints || count > kMostArmJoints)
+    refuse(whole, "has " + std::to_string(count) + " rotary joints");
   split.arm.bed_from_nozzle_at_zero = whole.bed_from_nozzle_at_zero;
   split.whole = std::move(whole);
   return split;
-}
-
-ArmValues armValues(const ArmChain& chain, const JointValues& values) {
-  ArmValues arm;
-  for (Eigen::Index j = 0; j < arm.size(); ++j) arm[j] = values[chain.arm_index[static_cast<std::size_t>(j)]];
-  return arm;
-}
-
-JointValues withArmValues(const ArmChain& chain, JointValues values, const ArmValues& arm) {
-  for (Eigen::Index j = 0; j < arm.size(); ++j) values[chain.arm_index[static_cast<std::size_t>(j)]] = arm[j];
-  return values;
 }
 
 Eigen::Isometry3d withoutExternal(const ArmChain& chain, const Eigen::Isometry3d& bed_from_nozzle,

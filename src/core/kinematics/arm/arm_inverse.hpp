@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <memory>
+#include <string>
 
 #include "kinematics/arm/arm_chain.hpp"
 
@@ -60,5 +61,12 @@ std::unique_ptr<const ArmInverse> offsetWristInverse(const SerialChain& arm);
 /// Inverse kinematics of an arm of any geometry, by iteration from several starts. A call takes milliseconds
 /// and may miss a branch.
 std::unique_ptr<const ArmInverse> iteratedInverse(const SerialChain& arm);
+
+/// The inverse kinematics of the first of these classes that an arm is of, and the name of the class.
+struct ClassifiedInverse {
+  std::unique_ptr<const ArmInverse> inverse;
+  std::string name;
+};
+ClassifiedInverse classifiedInverse(const SerialChain& arm);
 
 }  // namespace lamina

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/arm/six_axis_arm.hpp"
+#include "kinematics/arm/arm_model.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -25,7 +25,7 @@ Point3 acrossAxis(const Point3& direction, const Point3& axis) {
 }
 
 Table tableOf(const KinematicModel& model) {
-  const SixAxisArm& arm = requireSixAxisArm(model);
+  const ArmModel& arm = requireArm(model);
   const SerialChain& chain = arm.chain().external;
   const auto joint = std::find_if(chain.joints.begin(), chain.joints.end(),
                                   [](const DrivenJoint& each) { return each.name == "external_1"; });

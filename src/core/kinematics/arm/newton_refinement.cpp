@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/dense_solvers.hpp"
+#include "kinematics/arm/pose_difference.hpp"
 #include "lamina/base/angle.hpp"
 
 namespace lamina {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kRefinedGoal = 1e-8;  // mm: where rounding ends the gain
 constexpr double kEnough = 1e-7;       // mm
-constexpr double kLever = 1e3;         // mm: what a turn of 1 rad counts as
 constexpr double kLargestStep = 0.3;   // rad: beyond it the linear model is none
 constexpr double kDependent = 1e-10;   // pivots of columns that a singularity makes dependent
 constexpr int kMostSteps = 12;
@@ -45,7 +45,7 @@ Linear linearAt(const SerialChain& arm, const ArmValues& values) {
   for (Eigen::Index j = 0; j < 6; ++j) {
     const Point3 point = linear.columns.col(j).head<3>();
     const Point3 direction = linear.columns.col(j).tail<3>();
-    linear.columns.col(j) << direction.cross(linear.pose.translation() - point), kLever * direction;
+    linear.columns.col(j) << direction.cross(linear.pose.translation() - point), kTurnLever * direction;
   }
   return linear;
 }
@@ -56,19 +56,6 @@ ArmValues stepFor(const Columns& columns, const Twist& twist) {
   if (step.norm() < kLargestStep) return step;
   const ArmValues shortest = shortestSolution(columns, twist, kDependent);
   return shortest * std::min(1.0, kLargestStep / std::max(shortest.norm(), kLargestStep));
-}
-
-/// From one pose to another: tip [mm], turn [mm at the lever].
-Twist poseDifference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
-  // The angle of a rotation matrix by its quaternion: exact where it is small.
-  const Eigen::Quaterniond turn(to.linear() * from.linear().transpose());
-  const double sign = turn.w() < 0.0 ? -1.0 : 1.0;
-  const double sine = turn.vec().norm();
-  const double angle = 2.0 * std::atan2(sine, std::abs(turn.w()));
-  Twist twist;
-  twist.head<3>() = to.translation() - from.translation();
-  twist.tail<3>() = sine > 0.0 ? Point3(kLever * sign * angle / sine * turn.vec()) : Point3::Zero();
-  return twist;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <variant>
 
-#include "kinematics/arm/six_axis_arm.hpp"
+#include "kinematics/arm/arm_model.hpp"
 #include "kinematics/description_files/flange.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "lamina/base/random.hpp"
@@ -21,13 +21,6 @@ constexpr double kAlongAxis = 0.99;  // cosine
 constexpr double kSamePlace = 1e-3;  // mm
 constexpr double kSameTurn = 1e-6;   // rad
 
-std::string classOf(const SerialChain& arm) {
-  if (closedFormInverse(arm)) return "spherical wrist";
-  if (parallelAxesInverse(arm)) return "three parallel axes";
-  if (offsetWristInverse(arm)) return "wrist with an offset";
-  return "any other, by iteration";
-}
-
 ReportedBody reported(const LinkBody& body) {
   constexpr std::array<const char*, 5> kNames = {"box", "cylinder", "cone", "sphere", "mesh"};
   ReportedBody shown{body.link, kNames[body.shape.index()], 0};
@@ -35,7 +28,7 @@ ReportedBody reported(const LinkBody& body) {
   return shown;
 }
 
-double reachOf(const SixAxisArm& arm, const std::string& flange) {
+double reachOf(const ArmModel& arm, const std::string& flange) {
   const Screw& first = arm.chain().arm.screws.front();
   Random random(1);
   double reach = 0.0;
@@ -58,7 +51,7 @@ std::vector<std::string> mimicTraps(const urdf::ModelInterface& model) {
   return traps;
 }
 
-std::vector<std::string> trapsOf(const urdf::ModelInterface& model, const SixAxisArm& arm,
+std::vector<std::string> trapsOf(const urdf::ModelInterface& model, const ArmModel& arm,
                                  const std::string& flange) {
   std::vector<std::string> traps = mimicTraps(model);
   const double cosine = flangeCosine(model, flange);
@@ -99,12 +92,14 @@ RobotReport robotReport(const std::string& urdf) {
   const std::string text = withBedAndNozzle(urdf);
   const auto model = parseMachine(text);
   const auto read = kinematicModelFromUrdf(text);
-  const SixAxisArm& arm = requireSixAxisArm(*read);
+  const ArmModel& arm = requireArm(*read);
   RobotReport report;
   report.name = arm.name();
   for (const int j : arm.chain().whole.outward)
     report.joints.push_back(arm.joints()[static_cast<std::size_t>(j)]);
-  report.kinematic_class = classOf(arm.chain().arm);
+  report.kinematic_class = arm.kinematicClass();
+  if (arm.redundancy() != nullptr)
+    report.redundancy = "arm angle: the turn of the elbow about the line from the shoulder to the wrist";
   report.flange = model->getLink("tool0") || model->getLink("flange") ? flangeOf(*model, "") : "nozzle";
   const auto links = arm.bedFromLinks(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size())));
   report.base_from_flange_at_zero = links.at(model->getRoot()->name).inverse() * links.at(report.flange);

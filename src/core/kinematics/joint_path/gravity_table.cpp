@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "kinematics/arm/six_axis_arm.hpp"
+#include "kinematics/arm/arm_model.hpp"
 #include "kinematics/joint_path/taut_string.hpp"
 #include "lamina/base/error.hpp"
 
@@ -173,7 +173,7 @@ class TableLeading {
 }  // namespace
 
 GravityTable gravityTable(const KinematicModel& model) {
-  const SixAxisArm& arm = requireSixAxisArm(model);
+  const ArmModel& arm = requireArm(model);
   GravityTable table;
   table.arm = arm.name();
   table.external = arm.chain().external;

@@ -33,7 +33,7 @@ struct GravityTable {
 };
 
 /// The positioner of a kinematic model. Up is z of the description's root.
-/// @throws InvalidConfig if the kinematic model is no six-axis arm or does not have exactly two rotary
+/// @throws InvalidConfig if the kinematic model is no arm or does not have exactly two rotary
 ///   external axes, or if these are parallel or the tilting one is vertical
 GravityTable gravityTable(const KinematicModel& model);
 

@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "kinematics/joint_path/joint_unwinding.hpp"
+#include "kinematics/joint_path/redundancy_ladder.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 
 namespace lamina {
 
@@ -50,6 +53,13 @@ std::size_t unwindStations(StationWayThrough& way, const StationTask& task) {
   return unwound.rewinds;
 }
 
+/// An arm whose nozzle no joint turns about its tool axis cannot hold that turn.
+void requireYawOf(const KinematicModel& model, const JointPathSettings& settings) {
+  if (settings.yaw != YawChoice::Held || !isArm(model) || model.toolAxisSpin() == ToolAxisSpin::Given) return;
+  throw InvalidConfig("joints.yaw is held, but the arm '" + model.name() +
+                      "' has five axes, none of which is its tool axis; expected free");
+}
+
 JointPath jointPathOf(const StationList& list, StationWayThrough way, std::size_t rewinds) {
   JointPath path;
   path.rewinds = rewinds;
@@ -80,9 +90,11 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                         const GuardedModel& guarded, const JointPathSettings& settings, Progress& progress) {
   validate(settings);
+  requireYawOf(guarded.model, settings);
   StationList list = stationsOf(toolpath, bed_from_part);
   if (list.stations.empty()) return {};
   setExternalAxes(list.stations, guarded.model, settings);
+  resolveRedundancy(list.stations, guarded, settings, progress);
   const RungSolver solver(guarded, settings);
   const StationTask task{list.stations, guarded.model, solver, settings};
   StationWayThrough way = searchLadder(task, progress);

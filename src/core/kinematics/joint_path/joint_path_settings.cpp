@@ -20,6 +20,8 @@ void describeYaw(SettingsSchema& schema, JointPathSettings& settings) {
                 "What turning about the tool axis costs; a joint costs 1 over its greatest speed, squared.");
   schema.flag("joints.smooth_yaw", settings.is_yaw_smoothed,
               "Whether the turn about the tool axis is smoothed after the samples are chosen.");
+  schema.integer("joints.redundancy_samples", settings.redundancy_samples, {1, 36},
+                 "Arm angles of an arm of seven axes that are looked at; 1 holds it at 0.");
 }
 
 void describeSingularities(SettingsSchema& schema, JointPathSettings& settings) {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStandingStill =
-    100.0;  // times as dear, where a free joint may turn before or after instead
+    100.0;                    // times as dear, where a free joint may turn before or after instead
+constexpr int kRowReach = 1;  // rows from a rung to the next: the redundancy turns slowly
 constexpr std::size_t kMostTravelEdges = 4096;  // some 50 µs: little beside solving both rungs
 
 bool exists(const Rung& rung, std::size_t slot) { return rung.penalty[slot] < kNever; }
@@ -24,9 +25,24 @@ bool hasNodes(const Rung& rung) {
   return std::any_of(rung.penalty.begin(), rung.penalty.end(), [](double p) { return p < kNever; });
 }
 
-/// Whether both are samples of one thing all around, so that neighbours have neighbouring numbers.
+/// Whether both are samples of the same things all around, so that neighbours have neighbouring numbers.
 bool areAlike(const Rung& a, const Rung& b) {
-  return a.kind == b.kind && a.kind != SampleKind::Single && a.samples == b.samples;
+  const bool is_sampled = a.kind != SampleKind::Single || a.rows > 1;
+  return is_sampled && a.kind == b.kind && a.samples == b.samples && a.rows == b.rows;
+}
+
+int samplesPerRow(const Rung& rung) { return rung.samples / rung.rows; }
+
+/// Numbers around a turn, from the first on.
+struct Window {
+  int first = 0;
+  int count = 0;
+};
+
+/// Those at most `reach` from a number, or all of them.
+Window windowAbout(int number, int around, int reach) {
+  if (2 * reach + 1 >= around) return {0, around};
+  return {number - reach + around, 2 * reach + 1};
 }
 
 }  // namespace
@@ -67,9 +83,9 @@ bool LadderSearch::standsStill(const double* from, const double* to, const Stati
 }
 
 /// [rad]
-double LadderSearch::sampleTurn(int from, int to, int samples) const {
-  const int apart = std::abs(from - to);
-  return 2.0 * M_PI * std::min(apart, samples - apart) / samples;
+double LadderSearch::sampleTurn(NodeId from, NodeId to, int per_row) const {
+  const int apart = std::abs(sampleOf(from) % per_row - sampleOf(to) % per_row);
+  return 2.0 * M_PI * std::min(apart, per_row - apart) / per_row;
 }
 
 void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot,
@@ -80,7 +96,7 @@ void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_
   const NodeId from = before_.idOf(from_slot);
   const NodeId to = rung.idOf(slot);
   if (rung.kind == SampleKind::Yaw) {
-    const double yaw = sampleTurn(sampleOf(from), sampleOf(to), rung.samples);
+    const double yaw = sampleTurn(from, to, samplesPerRow(rung));
     turns += settings_.yaw_weight * yaw * yaw;
   }
   double cost = cost_[from_slot] + turns / motion.duration_s;
@@ -97,17 +113,26 @@ void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_
 void LadderSearch::reach(const Rung& rung, std::size_t slot, const StationMotion& motion,
                          Reached& best) const {
   const NodeId to = rung.idOf(slot);
-  const bool crosses = crossing_ && rung.kind != SampleKind::Yaw;
-  const bool is_windowed = areAlike(before_, rung) && 2 * settings_.yaw_reach + 1 < rung.samples;
-  const int tried = is_windowed ? 2 * settings_.yaw_reach + 1 : before_.samples;
-  const int first = is_windowed ? sampleOf(to) - settings_.yaw_reach + rung.samples : 0;
-  for (int t = 0; t < tried; ++t) {
-    const int sample = (first + t) % before_.samples;
-    if (branchOf(to) < before_.branches)
-      tryEdge(rung, slot, before_.slot(sample, branchOf(to)), motion, best);
-    for (int branch = 0; crosses && branch < before_.branches; ++branch)
-      if (branch != branchOf(to)) tryEdge(rung, slot, before_.slot(sample, branch), motion, best);
+  const int per_row = samplesPerRow(before_);
+  const bool is_alike = areAlike(before_, rung);
+  const Window rows = windowAbout(sampleOf(to) / per_row, before_.rows, is_alike ? kRowReach : before_.rows);
+  const Window in_row =
+      windowAbout(sampleOf(to) % per_row, per_row, is_alike ? settings_.yaw_reach : per_row);
+  for (int r = 0; r < rows.count; ++r) {
+    const int row = (rows.first + r) % before_.rows;
+    for (int s = 0; s < in_row.count; ++s)
+      reachFrom(rung, slot, row * per_row + (in_row.first + s) % per_row, motion, best);
   }
+}
+
+/// From all nodes of a sample that may be joined to a node.
+void LadderSearch::reachFrom(const Rung& rung, std::size_t slot, int sample, const StationMotion& motion,
+                             Reached& best) const {
+  const int own = branchOf(rung.idOf(slot));
+  if (own < before_.branches) tryEdge(rung, slot, before_.slot(sample, own), motion, best);
+  if (!crossing_ || rung.kind == SampleKind::Yaw) return;
+  for (int branch = 0; branch < before_.branches; ++branch)
+    if (branch != own) tryEdge(rung, slot, before_.slot(sample, branch), motion, best);
 }
 
 /// The nodes that a travel may set out from.
@@ -133,7 +158,7 @@ void LadderSearch::overTravel(const Rung& rung, const StationMotion& motion,
     for (const std::size_t from : from_slots) {
       double turns = edge(before_.at(from), rung.at(slot), kNever);
       if (rung.kind == SampleKind::Yaw && areAlike(before_, rung)) {
-        const double yaw = sampleTurn(sampleOf(before_.idOf(from)), sampleOf(rung.idOf(slot)), rung.samples);
+        const double yaw = sampleTurn(before_.idOf(from), rung.idOf(slot), samplesPerRow(rung));
         turns += settings_.yaw_weight * yaw * yaw;
       }
       const double cost = cost_[from] + settings_.branch_change_cost + turns / motion.duration_s;

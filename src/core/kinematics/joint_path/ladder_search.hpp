@@ -24,7 +24,8 @@ using SteadyCrossing = std::function<bool(const double* from, const double* to)>
 /// The cost of an edge is the sum of the squared turns of the joints over their greatest speeds and of the
 /// squared turn of the yaw, over the duration of the motion, plus the penalty of the node at its end times
 /// the duration. Two nodes are joined
-/// - within a branch, if their samples are at most `yaw_reach` apart and, except on a travel, no joint turns
+/// - within a branch, if their samples are at most `yaw_reach` and one row apart and, except on a travel, no
+/// joint turns
 ///   by more than `max_turn_deg`;
 /// - between branches, if the crossing is steady and samples are not yaws;
 /// - on a clear travel always, at `branch_change_cost`; if nodes are so many that this would take long, only
@@ -66,8 +67,10 @@ class LadderSearch {
 
   double edge(const double* from, const double* to, double most_turn_factor) const;
   bool standsStill(const double* from, const double* to, const StationMotion& motion) const;
-  double sampleTurn(int from, int to, int samples) const;
+  double sampleTurn(NodeId from, NodeId to, int per_row) const;
   void reach(const Rung& rung, std::size_t slot, const StationMotion& motion, Reached& best) const;
+  void reachFrom(const Rung& rung, std::size_t slot, int sample, const StationMotion& motion,
+                 Reached& best) const;
   void tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot, const StationMotion& motion,
                Reached& best) const;
   void overTravel(const Rung& rung, const StationMotion& motion, std::vector<Reached>& reached) const;

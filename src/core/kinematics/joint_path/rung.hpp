@@ -17,7 +17,7 @@ enum class SampleKind : std::uint8_t {
 /// Number of a node within its rung, in 2 bytes: sample * kMostBranches + branch.
 using NodeId = std::uint16_t;
 constexpr int kMostBranches = 128;
-constexpr int kMostSamples = 360;
+constexpr int kMostSamples = 511;  ///< of all rows together
 constexpr NodeId kNoNode = 0xFFFF;
 
 inline NodeId nodeId(int sample, int branch) { return static_cast<NodeId>(sample * kMostBranches + branch); }
@@ -28,6 +28,9 @@ inline int branchOf(NodeId node) { return node % kMostBranches; }
 struct Rung {
   SampleKind kind = SampleKind::Single;
   int samples = 0;
+  /// Of samples: one for each value of the redundancy, as far apart from one to the next as from the last to
+  /// the first. The samples of a row follow each other.
+  int rows = 1;
   int branches = 0;
   int joints = 0;
   std::vector<double> values;   ///< joint values, node after node: the branches of a sample follow each other

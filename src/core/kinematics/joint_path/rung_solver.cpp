@@ -57,13 +57,13 @@ JointValues RungSolver::withFree(JointValues near, double free_value) const {
 }
 
 RungSolver::Asked RungSolver::askedAt(const Station& station) const {
-  Asked asked{SampleKind::Single, station.pose(), nearFor(station.external)};
+  Asked asked{SampleKind::Single, station.pose(), nearFor(station.external), station.redundancy};
   const bool is_free = model_->toolAxisSpin() == ToolAxisSpin::Free;
   if (!is_free && settings_.yaw == YawChoice::Free) {
     asked.kind = SampleKind::Yaw;
     return asked;
   }
-  const InverseSolutions found = model_->solutions(asked.bed_from_nozzle, asked.near);
+  const InverseSolutions found = inverse(asked, asked.bed_from_nozzle, asked.near);
   asked.found.assign(found.begin(), found.end());
   if (found.empty()) return asked;
   const JointValues& values = asked.found.front().values;
@@ -96,14 +96,21 @@ Eigen::Isometry3d RungSolver::passing(const Eigen::Isometry3d& bed_from_nozzle,
   return passed;
 }
 
+InverseSolutions RungSolver::inverse(const Asked& asked, const Eigen::Isometry3d& bed_from_nozzle,
+                                     const JointValues& near) const {
+  const Redundancy* const redundancy = model_->redundancy();
+  if (redundancy == nullptr) return model_->solutions(bed_from_nozzle, near);
+  return redundancy->solutionsWith(bed_from_nozzle, near, asked.redundancy);
+}
+
 InverseSolutions RungSolver::solutionsAt(const Asked& asked, double coordinate) const {
   InverseSolutions found;
   if (asked.kind == SampleKind::FreeJoint)
-    found = model_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate));
+    found = inverse(asked, asked.bed_from_nozzle, withFree(asked.near, coordinate));
   else if (asked.kind == SampleKind::Single && !asked.found.empty())
     found.assign(asked.found.begin(), asked.found.end());
   else
-    found = model_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
+    found = inverse(asked, yawed(asked.bed_from_nozzle, coordinate), asked.near);
   for (InverseSolution& solution : found)
     for (std::size_t j = 0; j < ranges_.size(); ++j) {
       double& value = solution.values[static_cast<Eigen::Index>(j)];

@@ -49,6 +49,7 @@ class RungSolver {
     SampleKind kind = SampleKind::Single;
     Eigen::Isometry3d bed_from_nozzle;
     JointValues near;
+    double redundancy = 0.0;  ///< as in `Station`
     std::vector<InverseSolution> found =
         {};  ///< those of a single sample; empty if nobody has looked for them
   };
@@ -56,6 +57,8 @@ class RungSolver {
   Asked askedAt(const Station& station) const;
   Eigen::Isometry3d passing(const Eigen::Isometry3d& bed_from_nozzle, const JointValues& values) const;
   JointValues nearFor(const std::array<double, 3>& external) const;
+  InverseSolutions inverse(const Asked& asked, const Eigen::Isometry3d& bed_from_nozzle,
+                           const JointValues& near) const;
   JointValues withFree(JointValues near, double free_value) const;
   InverseSolutions solutionsAt(const Asked& asked, double coordinate) const;
   bool isWithinLimits(const JointValues& values) const;

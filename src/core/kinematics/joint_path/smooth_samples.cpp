@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "kinematics/joint_path/evened_angles.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
@@ -12,41 +13,6 @@
 namespace lamina {
 
 namespace {
-
-/// On either side. A step by one sample is spread over some 30 waypoints: few to a run that needs a step at
-/// all, and enough that a joint does not feel it.
-constexpr std::size_t kReach = 8;
-
-std::vector<double> unwrapped(std::vector<double> angles) {
-  for (std::size_t i = 1; i < angles.size(); ++i)
-    angles[i] = angles[i - 1] + std::remainder(angles[i] - angles[i - 1], 2.0 * M_PI);
-  return angles;
-}
-
-/// Means over as many neighbours on either side as there are, kReach at most: the ends keep their values.
-std::vector<double> movingMean(const std::vector<double>& values) {
-  std::vector<double> sums(values.size() + 1, 0.0);
-  for (std::size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
-  std::vector<double> means(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t reach = std::min({kReach, i, values.size() - 1 - i});
-    means[i] = (sums[i + reach + 1] - sums[i - reach]) / static_cast<double>(2 * reach + 1);
-  }
-  return means;
-}
-
-/// Angles along a run, evened out: means over neighbours, twice, which keep the ends and stay within a
-/// distance of the angles they come from. Linear time.
-/// @param angles          [rad]; neighbours are less than half a turn apart, but for whole turns
-/// @param most_deviation  [rad]
-/// @return without leaps by whole turns
-std::vector<double> evenedOut(const std::vector<double>& angles, double most_deviation) {
-  const std::vector<double> from = unwrapped(angles);
-  std::vector<double> even = movingMean(movingMean(from));
-  for (std::size_t i = 0; i < even.size(); ++i)
-    even[i] = std::clamp(even[i], from[i] - most_deviation, from[i] + most_deviation);
-  return even;
-}
 
 class SampleSmoothing {
  public:

@@ -43,6 +43,7 @@ struct Station {
   Eigen::Quaterniond orientation{Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0)};  ///< bed_from_nozzle
   /// Values of external axes, in the order of the kinematic model's joints [mm, rad].
   std::array<double, 3> external{};
+  double redundancy = 0.0;  ///< angle of a redundant model [rad]; not wrapped to a turn
   StationMotion motion;
 
   Eigen::Isometry3d pose() const;

@@ -40,10 +40,20 @@ class StraightMove {
       if (isExternal(model_.joints()[j].name))
         near[index] = from_[index] + fraction * (to_[index] - from_[index]);
     }
-    return nextTo(near, model_.solutions(pose, near));
+    return nextTo(near, solutionsAt(pose, near, fraction));
   }
 
  private:
+  /// The redundancy goes steadily from one end to the other, by the shorter way.
+  InverseSolutions solutionsAt(const Eigen::Isometry3d& pose, const JointValues& near,
+                               double fraction) const {
+    const Redundancy* const redundancy = model_.redundancy();
+    if (redundancy == nullptr) return model_.solutions(pose, near);
+    const double start = redundancy->angleAt(from_);
+    const double turn = std::remainder(redundancy->angleAt(to_) - start, 2.0 * M_PI);
+    return redundancy->solutionsWith(pose, near, start + fraction * turn);
+  }
+
   JointValues nextTo(const JointValues& near, const InverseSolutions& solutions) const {
     JointValues nearest;
     double least = std::numeric_limits<double>::infinity();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "kinematics/arm/six_axis_arm.hpp"
+#include "kinematics/arm/arm_model.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/machine_urdf.hpp"
 #include "kinematics/model/multi_axis_machine.hpp"
@@ -33,7 +33,7 @@ std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text) 
   const auto model = parseMachine(text);
   if (model->getJoint(kAxisNames[0])) return multiAxisMachine(*model, text);
   const std::optional<std::string> kind = robotKind(*model);
-  if (kind == "arm") return sixAxisArm(*model, text);
+  if (kind == "arm") return armModel(*model, text);
   if (kind == "platform") return rusKinematicModel(*model, text);
   throw InvalidConfig("machine '" + model->getName() +
                       "' is of no kind that is recognised; expected a joint x, a joint " + kPlatformJoint +

@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr int kLeastArmJoints = 3;  // so that an arm of five joints is refused as an arm
+constexpr int kLeastArmJoints = 3;  // so that an arm of four joints is refused as an arm
 
 int rotaryJointsToNozzle(const urdf::ModelInterface& model) {
   int count = 0;
