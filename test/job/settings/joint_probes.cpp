@@ -6,6 +6,7 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/run_settings.hpp"
+#include "support/arms.hpp"
 #include "support/gantry_head.hpp"
 #include "support/tilting_arm.hpp"
 
@@ -115,6 +116,19 @@ SettingProbe tiltingTableProbe() {
       {{"joints.external_cone_deg=3"}}};
 }
 
+SettingProbe railProbe() {
+  const Toolpath toolpath = beads(60.0, 15.0);
+  return {"joints of an arm on a rail",
+          "joints.yaw_samples=24",
+          [toolpath](const SettingTexts& set) {
+            NoProgress nobody;
+            return jointsText(planJointPath(toolpath, Eigen::Isometry3d(Eigen::Translation3d(3000, 0, 0)),
+                                            *kinematicModelFromUrdf(railArm()),
+                                            settingsWith<RunSettings>(set).joints, nobody));
+          },
+          {{"joints.rail=follow"}}};
+}
+
 SettingProbe uprightHeadProbe() {
   return {"joints of a head near its singularity",
           "",
@@ -167,8 +181,8 @@ std::vector<SettingProbe> branchProbes() {
 }  // namespace
 
 std::vector<SettingProbe> jointProbes() {
-  std::vector<SettingProbe> probes = {armProbe(), turntableProbe(), tiltingTableProbe(), uprightHeadProbe(),
-                                      swingProbe()};
+  std::vector<SettingProbe> probes = {armProbe(),  turntableProbe(),   tiltingTableProbe(),
+                                      railProbe(), uprightHeadProbe(), swingProbe()};
   for (SettingProbe& probe : branchProbes()) probes.push_back(std::move(probe));
   return probes;
 }
