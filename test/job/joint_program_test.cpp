@@ -364,7 +364,13 @@ TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {
   EXPECT_NEAR(targets.front().external, joint_program->joints.values.front()[6] * 180.0 / M_PI, 6e-4);
   EXPECT_NEAR(targets.back().external, joint_program->joints.values.back()[6] * 180.0 / M_PI, 6e-4);
   job_.settings.program.rapid.variant = RapidVariant::Powder3Axes;
-  EXPECT_NE(refusal("irb_4600_turntable", "offsets.mod").find("external"), std::string::npos);
+  for (const ExternalChoice choice : {ExternalChoice::Follow, ExternalChoice::Gravity}) {
+    job_.settings.joints.external = choice;
+    EXPECT_NE(refusal("irb_4600_turntable", "offsets.mod").find("joints.external is not held"),
+              std::string::npos);
+  }
+  job_.settings.joints.rail = RailChoice::Steps;
+  EXPECT_NE(refusal("irb_4600_turntable", "offsets.mod").find("joints.rail is not held"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(job_.output));
 }
 

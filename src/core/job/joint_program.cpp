@@ -114,10 +114,11 @@ void requireStated(const JointPathSettings& joints, const SliceJob& job, const K
   const RapidSettings& settings = job.settings.program.rapid;
   if (programRunner(job.output) == ProgramRunner::OtherRobot) return;
   if (settings.variant == RapidVariant::Powder5Axes || !hasExternalAxis(arm)) return;
-  if (joints.external == ExternalChoice::Follow)
-    throw InvalidConfig(std::string("joints.external is follow with rapid.variant ") +
-                        toString(settings.variant) + ", which reports external axes at one point only; " +
-                        "expected held, or powder_5_axes");
+  const bool is_rail_moved = joints.rail != RailChoice::Held;
+  if (is_rail_moved || joints.external != ExternalChoice::Held)
+    throw InvalidConfig(std::string(is_rail_moved ? "joints.rail" : "joints.external") +
+                        " is not held with rapid.variant " + toString(settings.variant) +
+                        ", which reports external axes at one point only; expected held, or powder_5_axes");
 }
 
 bool isProgram(const SliceJob& job) { return isGcodeFile(job.output) || isRobotFile(job.output); }

@@ -46,8 +46,8 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// toolpath in `sliced` and is noted in its summary. What `clearance.need` requires is checked.
 /// @param progress  stages "joints" and "clearance"
 /// @throws Unreachable if the machine cannot run the toolpath, with the first waypoint and the number of them
-/// @throws InvalidConfig if `joints.external` is to follow, but the dialect of the program cannot state
-///   external axes
+/// @throws InvalidConfig if `joints.external` or `joints.rail` is not held, but the dialect of the program
+///   cannot state external axes
 std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
                                              Progress& progress);
 

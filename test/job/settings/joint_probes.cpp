@@ -130,6 +130,19 @@ SettingProbe tiltingTableProbe() {
       {{"joints.external_cone_deg=3"}}};
 }
 
+SettingProbe railProbe() {
+  const Toolpath toolpath = beads(60.0, 15.0);
+  return {"joints of an arm on a rail",
+          "joints.yaw_samples=24",
+          [toolpath](const SettingTexts& set) {
+            NoProgress nobody;
+            return jointsText(planJointPath(toolpath, Eigen::Isometry3d(Eigen::Translation3d(3000, 0, 0)),
+                                            *kinematicModelFromUrdf(railArm()),
+                                            settingsWith<RunSettings>(set).joints, nobody));
+          },
+          {{"joints.rail=follow"}}};
+}
+
 SettingProbe uprightHeadProbe() {
   return {"joints of a head near its singularity",
           "",
@@ -182,8 +195,8 @@ std::vector<SettingProbe> branchProbes() {
 }  // namespace
 
 std::vector<SettingProbe> jointProbes() {
-  std::vector<SettingProbe> probes = {armProbe(),          sevenAxisProbe(),   turntableProbe(),
-                                      tiltingTableProbe(), uprightHeadProbe(), swingProbe()};
+  std::vector<SettingProbe> probes = {armProbe(),  sevenAxisProbe(),   turntableProbe(), tiltingTableProbe(),
+                                      railProbe(), uprightHeadProbe(), swingProbe()};
   for (SettingProbe& probe : branchProbes()) probes.push_back(std::move(probe));
   return probes;
 }

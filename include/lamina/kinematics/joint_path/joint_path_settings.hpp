@@ -27,6 +27,13 @@ enum class ExternalChoice : std::uint8_t {
   Gravity,  ///< two of them such that the tool axis points down, within a cone
 };
 
+/// How the rail that carries an arm is positioned.
+enum class RailChoice : std::uint8_t {
+  Held,    ///< at zero
+  Follow,  ///< moved steadily with the tip
+  Steps,   ///< moved on travels only
+};
+
 /// How joint values are planned along a toolpath (docs/machines/joint-paths.md).
 struct JointPathSettings {
   YawChoice yaw = YawChoice::Free;
@@ -65,6 +72,7 @@ struct JointPathSettings {
   double external_azimuth_deg = 0.0;  ///< azimuth of tool axes for `ExternalChoice::Follow`
   /// Half angle about straight down within which `ExternalChoice::Gravity` keeps tool axes.
   double external_cone_deg = 10.0;
+  RailChoice rail = RailChoice::Held;
 };
 
 /// Adds the keys joints.*.

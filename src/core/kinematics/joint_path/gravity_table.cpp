@@ -93,15 +93,9 @@ class TableLeading {
     return second.distance_mm < first.distance_mm ? 1 : 0;
   }
 
-  std::vector<double> passedAt() const {
-    std::vector<double> at(stations_.size(), 0.0);
-    for (std::size_t i = 1; i < at.size(); ++i) at[i] = at[i - 1] + stations_[i].motion.duration_s;
-    return at;
-  }
-
   /// Where no value of the gate is within the limits it stays as it is: the joint's fault is reported later.
   std::vector<Gate> tiltGates(const std::vector<Eigen::Vector2d>& exact) const {
-    const std::vector<double> at = passedAt();
+    const std::vector<double> at = passedAt(stations_);
     const JointRange& range = table_.tilt_range;
     std::vector<Gate> gates;
     gates.reserve(exact.size());
@@ -137,7 +131,7 @@ class TableLeading {
   }
 
   std::vector<double> turnsFor(const std::vector<double>& tilts) const {
-    const std::vector<double> at = passedAt();
+    const std::vector<double> at = passedAt(stations_);
     std::vector<Gate> gates;
     gates.reserve(tilts.size());
     double middle = rule_.start;

@@ -59,6 +59,10 @@ void describeExternal(SettingsSchema& schema, JointPathSettings& settings) {
       "joints.external_cone_deg", settings.external_cone_deg, {0.1, 90.0},
       "How far from straight down the tool axis may point so that a table that it is kept down by turns "
       "steadily.");
+  schema.choice<RailChoice>(
+      "joints.rail", settings.rail,
+      {{"held", RailChoice::Held}, {"follow", RailChoice::Follow}, {"steps", RailChoice::Steps}},
+      "Whether the rail of an arm is held at zero, moved steadily with the tip, or moved on travels only.");
 }
 
 }  // namespace

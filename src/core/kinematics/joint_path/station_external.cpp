@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "kinematics/joint_path/arm_rail.hpp"
 #include "kinematics/joint_path/gravity_table.hpp"
 #include "kinematics/joint_path/stations.hpp"
 #include "kinematics/model/external_joint.hpp"
@@ -56,6 +57,12 @@ void obeyGravity(std::vector<Station>& stations, const KinematicModel& model,
   }
 }
 
+void moveRail(std::vector<Station>& stations, const KinematicModel& model, RailChoice choice) {
+  const ArmRail rail = armRail(model);
+  const std::vector<double> values = railValues(rail, stations, choice);
+  for (std::size_t i = 0; i < stations.size(); ++i) stations[i].external.at(rail.in_station) = values[i];
+}
+
 }  // namespace
 
 void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
@@ -68,6 +75,7 @@ void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model
   for (Station& station : stations) station.external = held;
   if (settings.external == ExternalChoice::Follow) followToolAxes(stations, model, settings);
   if (settings.external == ExternalChoice::Gravity) obeyGravity(stations, model, settings);
+  if (settings.rail != RailChoice::Held) moveRail(stations, model, settings.rail);
 }
 
 }  // namespace lamina

@@ -103,4 +103,10 @@ StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fr
   return builder.take();
 }
 
+std::vector<double> passedAt(const std::vector<Station>& stations) {
+  std::vector<double> at(stations.size(), 0.0);
+  for (std::size_t i = 1; i < at.size(); ++i) at[i] = at[i - 1] + stations[i].motion.duration_s;
+  return at;
+}
+
 }  // namespace lamina

@@ -60,13 +60,18 @@ struct StationList {
 
 StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Sets the external axes of stations to the values that the settings ask for: rails to 0, and a table that
-/// follows or obeys gravity to the values that the tool axes require. If the tool axis is along the axis of a
+/// Time at which each station is passed at the feed, from the first one on [s].
+std::vector<double> passedAt(const std::vector<Station>& stations);
+
+/// Sets the external axes of stations to the values that the settings ask for: rails to 0 unless the one that
+/// carries the arm is moved (arm_rail.hpp), and a table that follows or obeys gravity to the values that the
+/// tool axes require. If the tool axis is along the axis of a
 /// table, that axis keeps its value. If gravity moves the table and the yaw is free, the nozzle is turned so
 /// that it does not turn about its tool axis in the room. Does nothing if the kinematic model has no external
 /// axes.
-/// @throws InvalidConfig if the table is to follow but external_1 is no rotary table; as `gravityTable`
-/// @throws Unreachable as `tableValues`
+/// @throws InvalidConfig if the table is to follow but external_1 is no rotary table; as
+///   `gravityTable` and `armRail`
+/// @throws Unreachable as `tableValues` and `railValues`
 void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
                      const JointPathSettings& settings);
 
