@@ -123,6 +123,8 @@ SettingProbe levelProbe() {
            {"levels.start_share=0.7"},
            {"levels.start_mm=5"},
            {"levels.end_share=0.4"},
+           {"levels.channels={laser_power_w: {dead_time_s: 0.3}}"},
+           {"levels.rules=[{when: {role: outer_wall}, set: {laser_power_w: 1500}}]"},
            {"levels.end_mm=2"}}};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/base/settings_schema.hpp"
+#include "lamina/toolpath/process_levels.hpp"
 
 namespace lamina {
 
@@ -74,6 +75,8 @@ struct LevelSettings {
   double start_mm = 0.0;          ///< length over which it becomes the whole value
   double end_share = 1.0;         ///< share of the value where a run ends
   double end_mm = 0.0;            ///< length over which it becomes that share
+  SettingTable channels;          ///< bounds, dead time, ends and material of each value, by its name
+  SettingTable rules;             ///< list of rules that change values, of which later ones win
 };
 
 /// Curve on which a tip swings across the centre line of a bead.
@@ -120,6 +123,11 @@ struct BeadRunSettings {
 /// Adds the keys starts.*, lead.*, entry.*, levels.*, weave.*.
 void describe(SettingsSchema& schema, BeadRunSettings& settings);
 
+/// Whether a process value can follow from bead and feed: wire and powder.
+constexpr bool canFollowBead(ProcessLevel level) {
+  return level == ProcessLevel::WireSpeed || level == ProcessLevel::Powder;
+}
+
 /// A process value of all beads.
 struct StatedLevel {
   std::string name;
@@ -129,7 +137,7 @@ struct StatedLevel {
 
 /// The values in a list "name=value, ...", in its order.
 /// @throws InvalidConfig if an entry is not of that form; if a name is none of `ProcessLevel`, or stands
-///   twice; if a value is negative or no number; if `from_bead` stands for another name than wire_speed_mm_s
+///   twice; if a value is negative or no number; if `from_bead` stands for a name that cannot follow
 std::vector<StatedLevel> statedLevels(const std::string& text);
 
 /// @throws InvalidConfig naming key, value and unit, for a contradiction: a lead that rises and deposits, a

@@ -13,6 +13,7 @@
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/toolpath/process_levels.hpp"
+#include "planning/runs/level_rules.hpp"
 
 namespace lamina {
 namespace {
@@ -60,6 +61,14 @@ void describeLevels(SettingsSchema& schema, LevelSettings& levels) {
   schema.number("levels.end_share", levels.end_share, share, "Share of the process values where a run ends.");
   schema.number("levels.end_mm", levels.end_mm, {0.0, 1000.0},
                 "Way over which they become that share; 0 for not at all.");
+  schema.table(
+      "levels.channels", levels.channels,
+      "What each process value may be and needs, by its name: lower, upper, dead_time_s, start_share, "
+      "start_mm, start_hold_s, end_share, end_mm, end_hold_s; of powder density_g_cm3, efficiency.");
+  schema.table(
+      "levels.rules", levels.rules,
+      "Changes of process values where conditions are met, later ones last: a list of when with role, "
+      "layers, z_mm, corner_mm or always, and set, scale or law.");
 }
 
 void describeWeave(SettingsSchema& schema, WeaveSettings& weave) {
@@ -106,8 +115,11 @@ StatedLevel statedLevel(std::string_view entry) {
     refuseLevels(entry, "known are laser_power_w, wire_speed_mm_s, screw_rpm, powder_g_min, gas_l_min");
   const std::string_view value = trimmed(entry.substr(equals + 1));
   level.is_from_bead = value == kFromBead;
-  if (level.is_from_bead && level.name != nameOf(ProcessLevel::WireSpeed))
-    refuseLevels(entry, "only wire_speed_mm_s follows from the bead");
+  const bool can_follow =
+      std::any_of(kAllProcessLevels.begin(), kAllProcessLevels.end(),
+                  [&](ProcessLevel known) { return canFollowBead(known) && level.name == nameOf(known); });
+  if (level.is_from_bead && !can_follow)
+    refuseLevels(entry, "only wire_speed_mm_s and powder_g_min follow from the bead");
   if (level.is_from_bead) return level;
   const auto result = std::from_chars(value.data(), value.data() + value.size(), level.value);
   const bool is_number = result.ec == std::errc{} && result.ptr == value.data() + value.size();
@@ -130,6 +142,17 @@ void requireConsistent(const LevelSettings& levels) {
           "1, or a way");
   require(levels.end_share == 1.0 || levels.end_mm > 0.0,
           "levels.end_share is " + numberText(levels.end_share) + " with levels.end_mm 0 mm", "1, or a way");
+  levelChannels(levels);
+}
+
+/// Waves have corners of their own.
+void requireCornersApart(const BeadRunSettings& settings) {
+  if (settings.weave.kind == WeaveKind::None) return;
+  for (const LevelRule& rule : levelRules(settings.levels))
+    if (rule.when.corner_mm > 0.0)
+      throw InvalidConfig("levels.rules has when.corner_mm " + numberText(rule.when.corner_mm) +
+                          " mm with a weave; expected weave.kind 'none', or other conditions: waves turn at "
+                          "every waypoint");
 }
 
 }  // namespace
@@ -190,6 +213,7 @@ void requireConsistent(const BeadRunSettings& settings) {
                         " mm with leads that lay a bead; expected 0 mm, or lead.process 'dry': the bead "
                         "that a lead leads to would begin with nothing");
   requireConsistent(settings.levels);
+  requireCornersApart(settings);
   const WeaveSettings& weave = settings.weave;
   if (weave.kind == WeaveKind::None && weave.swing_deg != 0.0)
     throw InvalidConfig(
