@@ -91,8 +91,8 @@ Purge purgeOf(const std::string& code) {
 }
 
 /// A nozzle that has oozed while it was heated lays nothing for its first centimetres. Prusa's own line
-/// ends with 12.5 mm of filament of 1.75 mm over 40 mm, 0.752 mm2; Klipper, of the machines that run it, takes
-/// 0.64 mm2 of a nozzle of 0.4 mm.
+/// ends with 12.5 mm of filament of 1.75 mm over 40 mm, 0.752 mm2; Klipper, of the machines that run it,
+/// takes 0.64 mm2 of a nozzle of 0.4 mm.
 TEST(ShippedProfiles, TheNozzleIsPrimedAtTheEdgeOfTheBed) {
   for (const std::string machine : kOwnedMachines) {
     const JobSettings settings = loadShipped(machine, "pla", "").settings;
