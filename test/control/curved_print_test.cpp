@@ -16,7 +16,7 @@ namespace {
 
 constexpr Bead kRingBead{3.0, 1.5};
 constexpr std::size_t kRings = 3;
-constexpr std::size_t kPlaces = 720;  // around each ring
+constexpr std::size_t kPlaces = 900;  // around each ring, which has 810 cells at most
 constexpr std::size_t kSpheres = 12;
 constexpr double kRingNoise = 0.02;  // mm
 

@@ -142,48 +142,50 @@ inline SevenAxisDescription nearlySphericalSeven() {
 /// An arm whose elbow stands off axes 3 and 5, and whose axis 7 stands off the wrist.
 inline SevenAxisDescription offsetSeven() {
   return {{"0 0 0.12", "0 0 0.2", "0 0 0.31", "0.07 0 0", "-0.07 0 0.36", "0 0 0", "0.06 0 -0.04"}};
-  /// An arm with a spherical wrist and a reach of 2050 mm (shoulder 150, 950 and 950 mm) on a rail along x
-  /// (external_1, 1500 mm/s) that begins at zero. Its nozzle is 300 mm from the wrist, along axis 6. The bed
-  /// is 700 mm beside the rail, with axes as the room's.
-  /// @param rail_end_m  upper limit of the rail
-  inline std::string railArm(const std::string& rail_end_m = "6") {
-    std::string text =
-        "<robot name=\"rail_arm\"><link name=\"room\"/>" + fixedJoint("bed", "room", "xyz=\"0 0.7 0\"") +
-        "<link name=\"base_link\"/><joint name=\"external_1\" type=\"prismatic\"><parent link=\"room\"/>"
-        "<child link=\"base_link\"/><axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"" +
-        rail_end_m + "\" velocity=\"1.5\" effort=\"1\"/></joint>";
-    const std::string origins[6] = {"0 0 0.5", "0.15 0 0", "0 0 0.95", "0 0 0.5", "0 0 0.45", "0 0 0.1"};
-    const std::string axes[6] = {"0 0 1", "0 1 0", "0 1 0", "0 0 1", "0 1 0", "0 0 1"};
-    std::string parent = "base_link";
-    for (int j = 0; j < 6; ++j) {
-      const std::string name = "joint_" + std::to_string(j + 1);
-      text += rotaryJoint(name, parent, "xyz=\"" + origins[j] + "\"", axes[j]);
-      parent = name + "_link";
-    }
-    return text + fixedJoint("nozzle", parent, "xyz=\"0 0 0.2\"") + "</robot>";
-  }
+}
 
-  /// Values in the ranges of the joints, and at most a turn.
-  inline JointValues anyJointValues(const KinematicModel& model, Random& random) {
-    JointValues values(static_cast<Eigen::Index>(model.joints().size()));
-    for (Eigen::Index j = 0; j < values.size(); ++j) {
-      const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
-      values[j] = random.uniform(std::max(joint.low, -M_PI), std::min(joint.high, M_PI));
-    }
-    return values;
+/// An arm with a spherical wrist and a reach of 2050 mm (shoulder 150, 950 and 950 mm) on a rail along x
+/// (external_1, 1500 mm/s) that begins at zero. Its nozzle is 300 mm from the wrist, along axis 6. The bed
+/// is 700 mm beside the rail, with axes as the room's.
+/// @param rail_end_m  upper limit of the rail
+inline std::string railArm(const std::string& rail_end_m = "6") {
+  std::string text =
+      "<robot name=\"rail_arm\"><link name=\"room\"/>" + fixedJoint("bed", "room", "xyz=\"0 0.7 0\"") +
+      "<link name=\"base_link\"/><joint name=\"external_1\" type=\"prismatic\"><parent link=\"room\"/>"
+      "<child link=\"base_link\"/><axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"" +
+      rail_end_m + "\" velocity=\"1.5\" effort=\"1\"/></joint>";
+  const std::string origins[6] = {"0 0 0.5", "0.15 0 0", "0 0 0.95", "0 0 0.5", "0 0 0.45", "0 0 0.1"};
+  const std::string axes[6] = {"0 0 1", "0 1 0", "0 1 0", "0 0 1", "0 1 0", "0 0 1"};
+  std::string parent = "base_link";
+  for (int j = 0; j < 6; ++j) {
+    const std::string name = "joint_" + std::to_string(j + 1);
+    text += rotaryJoint(name, parent, "xyz=\"" + origins[j] + "\"", axes[j]);
+    parent = name + "_link";
   }
+  return text + fixedJoint("nozzle", parent, "xyz=\"0 0 0.2\"") + "</robot>";
+}
 
-  /// Distance of two poses: of the tips [m] or the turn [rad], whichever is greater.
-  inline double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-    const double turn = (a.linear() - b.linear()).norm() / std::sqrt(2.0);
-    return std::max(1e-3 * (a.translation() - b.translation()).norm(), turn);
+/// Values in the ranges of the joints, and at most a turn.
+inline JointValues anyJointValues(const KinematicModel& model, Random& random) {
+  JointValues values(static_cast<Eigen::Index>(model.joints().size()));
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
+    values[j] = random.uniform(std::max(joint.low, -M_PI), std::min(joint.high, M_PI));
   }
+  return values;
+}
 
-  /// Greatest difference of joint values but for whole turns.
-  inline double turnDistance(const JointValues& a, const JointValues& b) {
-    return (a - b)
-        .unaryExpr([](double angle) { return std::abs(std::remainder(angle, 2.0 * M_PI)); })
-        .maxCoeff();
-  }
+/// Distance of two poses: of the tips [m] or the turn [rad], whichever is greater.
+inline double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const double turn = (a.linear() - b.linear()).norm() / std::sqrt(2.0);
+  return std::max(1e-3 * (a.translation() - b.translation()).norm(), turn);
+}
+
+/// Greatest difference of joint values but for whole turns.
+inline double turnDistance(const JointValues& a, const JointValues& b) {
+  return (a - b)
+      .unaryExpr([](double angle) { return std::abs(std::remainder(angle, 2.0 * M_PI)); })
+      .maxCoeff();
+}
 
 }  // namespace lamina::test
