@@ -195,12 +195,12 @@ TEST(DirectedPieces, AreRefusedWithTheRoomThatTheHeadNeeds) {
   EXPECT_LT(height, 1000.0);
 }
 
-// The whole bar, 36 x 6 x 8 mm, would lie on 12 x 8 mm at most, less than a square of 4 beads of 3 mm.
+// Even the outline of the part, 12 x 26 + 24 x 6 = 456 mm², is less than a square of 4 beads of 6 mm.
 TEST(DirectedPieces, AreRefusedWithTheBaseThatAPieceNeeds) {
   DirectionRequest request = quickRequest();
-  request.bead_mm = 3.0;
+  request.bead_mm = 6.0;
   const std::string refusal = cutRefusal(test::tShape(), request);
-  EXPECT_NE(refusal.find(" a piece would lie on less than 144 mm²"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find(" a piece would lie on less than 576 mm²"), std::string::npos) << refusal;
 }
 
 // A head as wide as the room leaves no plane.
