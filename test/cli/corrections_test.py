@@ -29,10 +29,10 @@ ID = "00112233aabbccdd"
 HEADER = "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s"
 
 
-def digest(toolpath, layer, sequence, station_mm, stations):
+def digest(toolpath, layer, path, station_mm, stations):
     """FNV-1a over 64-bit words, as the page on the closed loop says."""
     value = 0xCBF29CE484222325
-    words = [len(toolpath), *toolpath.encode(), layer, sequence, 1, 1, struct.unpack("<Q", struct.pack("<d", station_mm))[0], len(stations)]
+    words = [len(toolpath), *toolpath.encode(), layer, 1, 1, path, struct.unpack("<Q", struct.pack("<d", station_mm))[0], len(stations)]
     for place in stations:
         words += [struct.unpack("<Q", struct.pack("<d", number))[0] for number in place]
     for word in words:
@@ -46,7 +46,7 @@ def correction_map(layer, amounts, toolpath=ID, length_mm=LENGTH_MM, path=1):
     station_mm = length_mm / len(amounts)
     stations = [(amount, 0.0, 0.0) for amount in amounts]
     rows = "".join(f"{path},{station_mm!r},{amount!r},0,0\n" for amount in amounts)
-    return (f"# toolpath {toolpath}\n# layer {layer}\n# sequence 1\n# digest {digest(toolpath, layer, 1, station_mm, stations)}\n"
+    return (f"# toolpath {toolpath}\n# layer {layer}\n# sequence 1\n# digest {digest(toolpath, layer, path, station_mm, stations)}\n"
             f"path,station_mm,amount,speed,dz_mm\n{rows}")
 
 

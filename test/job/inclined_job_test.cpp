@@ -224,7 +224,7 @@ TEST(InclinedJob, RefusesIslandsThatBeginInTheAirUnlessAsked) {
   EXPECT_EQ(refusal.rfind("islands of layers that begin in mid-air: 1, the first in layer ", 0), 0U)
       << refusal;
   Point3 place = Point3::Zero();
-  const std::size_t at = refusal.find("(");
+  const std::size_t at = refusal.find('(');
   ASSERT_NE(at, std::string::npos) << refusal;
   ASSERT_EQ(std::sscanf(refusal.c_str() + at, "(%lf, %lf, %lf)", &place.x(), &place.y(), &place.z()), 3);
   EXPECT_NEAR(place.y(), 30.0, 1.0) << refusal;

@@ -48,7 +48,7 @@ Toolpath acrossPlate() {
   return {"across", {layer}};
 }
 
-JointPath planned(const Toolpath& toolpath, RailChoice rail, const std::string& rail_end_m = "6") {
+JointPath plannedOnRail(const Toolpath& toolpath, RailChoice rail, const std::string& rail_end_m = "6") {
   const auto model = kinematicModelFromUrdf(test::railArm(rail_end_m));
   JointPathSettings settings;
   settings.rail = rail;
@@ -74,9 +74,9 @@ void expectWithinReach(const JointPath& path) {
   }
 }
 
-std::string refusalOf(const Toolpath& toolpath, RailChoice rail, const std::string& rail_end_m) {
+std::string refusalOnRail(const Toolpath& toolpath, RailChoice rail, const std::string& rail_end_m) {
   try {
-    planned(toolpath, rail, rail_end_m);
+    plannedOnRail(toolpath, rail, rail_end_m);
     return "";
   } catch (const Unreachable& error) {
     return error.what();
@@ -84,7 +84,7 @@ std::string refusalOf(const Toolpath& toolpath, RailChoice rail, const std::stri
 }
 
 TEST(RailValues, AHeldRailLeavesMostOfAPlateOutOfReach) {
-  const JointPath path = planned(alongPlate(), RailChoice::Held);
+  const JointPath path = plannedOnRail(alongPlate(), RailChoice::Held);
   EXPECT_FALSE(path.isRunnable());
   for (const JointValues& values : path.values)
     if (values.size() > 0) {
@@ -93,7 +93,7 @@ TEST(RailValues, AHeldRailLeavesMostOfAPlateOutOfReach) {
 }
 
 TEST(RailValues, ARailThatFollowsReachesAPlateOf4MetresAtOneSpeed) {
-  const JointPath path = planned(alongPlate(), RailChoice::Follow);
+  const JointPath path = plannedOnRail(alongPlate(), RailChoice::Follow);
   expectWithinReach(path);
   // The plate is 700 mm aside, the wrist 302 - 500 mm over the shoulder: 0.7 of the reach at the start, 0.9
   // at the end, by Pythagoras.
@@ -111,7 +111,7 @@ TEST(RailValues, ARailThatFollowsReachesAPlateOf4MetresAtOneSpeed) {
 
 TEST(RailValues, ARailThatStepsMovesOnTravelsOnly) {
   const Toolpath toolpath = acrossPlate();
-  const JointPath path = planned(toolpath, RailChoice::Steps);
+  const JointPath path = plannedOnRail(toolpath, RailChoice::Steps);
   expectWithinReach(path);
   std::set<double> stands;
   for (std::size_t i = 1; i < path.at.size(); ++i) {
@@ -131,14 +131,14 @@ TEST(RailValues, ARailThatStepsMovesOnTravelsOnly) {
 }
 
 TEST(RailValues, ABeadThatNeedsTheRailToMoveIsRefusedInSteps) {
-  const std::string refusal = refusalOf(alongPlate(), RailChoice::Steps, "6");
+  const std::string refusal = refusalOnRail(alongPlate(), RailChoice::Steps, "6");
   EXPECT_NE(refusal.find("'external_1' would have to move along the bead"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("joints.rail follow"), std::string::npos) << refusal;
 }
 
 TEST(RailValues, ARailThatIsTooShortIsRefusedByName) {
   for (const RailChoice rail : {RailChoice::Follow, RailChoice::Steps}) {
-    const std::string refusal = refusalOf(acrossPlate(), rail, "1.5");
+    const std::string refusal = refusalOnRail(acrossPlate(), rail, "1.5");
     EXPECT_NE(refusal.find("joint 'external_1' would have to stand at"), std::string::npos) << refusal;
     EXPECT_NE(refusal.find("0 mm to 1500 mm"), std::string::npos) << refusal;
   }

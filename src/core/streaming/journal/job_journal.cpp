@@ -267,7 +267,7 @@ std::string describeProgress(const JournalledProgress& known) {
   const std::string total = std::to_string(known.job.lines_total);
   const std::string line = std::to_string(progress.taken_through);
   const std::string when = std::string(", ") + toString(progress.state) + " at " +
-                           utcText(static_cast<double>(progress.time_ms / 1000), "%Y-%m-%d %H:%M:%S UTC");
+                           utcText(static_cast<double>(progress.time_ms) / 1000.0, "%Y-%m-%d %H:%M:%S UTC");
   std::string text = known.job.program + " at " + known.job.port;
   if (known.job.revision)
     text += ", corrected on its way as recorded in " + known.job.revision->folder;
