@@ -162,8 +162,8 @@ TEST(GrowthFit, LeavesLevelGrowthAsItIsWhereUpIsGiven) {
 // Over a wedge above the first layer, which stays flat.
 TEST(GrowthFit, LiesAcrossOneGivenDirection) {
   const Point3 tilted(std::sin(toRadians(20.0)), 0.0, std::cos(toRadians(20.0)));
-  const Fitted part =
-      fittedAlong(test::boxBetween({0, 0, 0}, {10, 10, 36}), 1.0, [&](const Point3&) { return tilted; });
+  const Fitted part = fittedAlong(test::boxBetween({0, 0, 0}, {10, 10, 36}), 1.0,
+                                  [&](const Point3&) -> Point3 { return tilted; });
   Mean off_deg;
   Mean first_deg;
   visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
