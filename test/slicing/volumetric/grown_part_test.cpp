@@ -81,7 +81,7 @@ TEST(GrownPart, SupportsTheLintelOfAWindowButWhereFrontsMeet) {
 TEST(GrownPart, SupportsAnArchOnBothFeet) {
   Region arch;
   constexpr int kSides = 60;
-  arch.outer.reserve(2U * (kSides + 1U));
+  arch.outer.reserve(std::size_t{2} * (kSides + 1));
   for (int i = 0; i <= kSides; ++i)
     arch.outer.push_back(38.0 * Point2(std::cos(M_PI * i / kSides), std::sin(M_PI * i / kSides)));
   for (int i = kSides; i >= 0; --i)

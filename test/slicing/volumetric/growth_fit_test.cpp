@@ -163,7 +163,7 @@ TEST(GrowthFit, LeavesLevelGrowthAsItIsWhereUpIsGiven) {
 TEST(GrowthFit, LiesAcrossOneGivenDirection) {
   const Point3 tilted(std::sin(toRadians(20.0)), 0.0, std::cos(toRadians(20.0)));
   const Fitted part = fittedAlong(test::boxBetween({0, 0, 0}, {10, 10, 36}), 1.0,
-                                  [&](const Point3&) -> Point3 { return tilted; });
+                                  [&](const Point3&) { return Point3(tilted); });
   Mean off_deg;
   Mean first_deg;
   visitNodes(part, [&](const Point3& place, double, const Point3& gradient) {
