@@ -73,6 +73,7 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"colliding_waypoints", check.collisions.size()},
                                  {"colliding_layers", layersOf(check.collisions)},
                                  {"rewinds", check.rewinds},
+                                 {"unchecked", check.ignored},
                                  {"findings", nlohmann::ordered_json::array()}};
   json["time_s"] = json["slow_bead_share"] = nlohmann::ordered_json();
   if (checked.timed) {
@@ -110,6 +111,8 @@ void printText(const Checked& checked, const std::string& machine) {
   for (const auto& [what, kind] : by_kind)
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
+  for (const auto& [one, other] : check.ignored)
+    std::printf("unchecked   %s against %s\n", one.c_str(), other.c_str());
   printSingular(checked);
   if (checked.timed)
     std::printf("print time  %s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",

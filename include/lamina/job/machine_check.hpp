@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/progress.hpp"
@@ -30,6 +31,9 @@ struct MachineCheck {
   std::vector<Finding> faults;      ///< of reach, limits, singularities, in the order of the motion
   std::vector<Finding> collisions;  ///< in the order of the motion
   std::size_t rewinds = 0;          ///< number of travels on which a rotary joint is wound back
+  /// Links that move against each other and are not checked, but for neighbours: as the description says, or
+  /// since they are built into each other (`checkedBodies`).
+  std::vector<std::pair<std::string, std::string>> ignored;
 
   bool isClear() const { return faults.empty() && collisions.empty(); }
 };

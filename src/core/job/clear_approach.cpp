@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/verification/collision/checked_bodies.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -29,7 +30,7 @@ std::optional<Collision> firstCollision(const Approach& approach, const Kinemati
   Toolpath toolpath;
   toolpath.layers.push_back({0.0, 0.0, {travel}});
   const JointClearanceReport report = checkJointClearance(
-      {toolpath, Eigen::Isometry3d::Identity(), model, path}, linkBodies(model.urdf()), settings, progress);
+      {toolpath, Eigen::Isometry3d::Identity(), model, path}, checkedBodies(model), settings, progress);
   if (report.collisions.empty()) return std::nullopt;
   return report.collisions.front();
 }

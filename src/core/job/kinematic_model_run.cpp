@@ -16,6 +16,7 @@
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/kept_feed.hpp"
+#include "lamina/verification/collision/checked_bodies.hpp"
 #include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
@@ -85,7 +86,7 @@ bool movesLinearAxesAlone(const KinematicModelRun& run, const KinematicModel& mo
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
+  const SelfCollisionGuard guard(model, checkedBodies(model));
   DividedJointPath planned =
       planDividedJointPath(std::move(toolpath), bed_from_part, {model, guard}, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
@@ -94,7 +95,7 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
 KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
+  const SelfCollisionGuard guard(model, checkedBodies(model));
   KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
   for (const LayerRange& stretch : excerpt.stretches)
     run = joined(std::move(run),

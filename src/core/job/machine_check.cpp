@@ -12,6 +12,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/verification/collision/checked_bodies.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -93,7 +94,8 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
   check.waypoints = waypointsAskedFor(run.divided);
   check.rewinds = run.path.rewinds;
   check.faults = faultsOf(run);
-  const LinkBodies bodies = linkBodies(model.urdf());
+  const LinkBodies bodies = checkedBodies(model);
+  check.ignored = bodies.ignored;
   check.collisions = collisionsOf(
       run,
       checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path}, bodies, settings, progress));
@@ -103,7 +105,7 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
 ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
                             const ClearanceSettings& settings, Progress& progress) {
   const JointClearanceReport found = checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path},
-                                                         linkBodies(model.urdf()), settings, progress);
+                                                         checkedBodies(model), settings, progress);
   ClearanceReport report;
   report.waypoints = waypointsAskedFor(run.divided);
   std::set<std::tuple<std::size_t, std::size_t, std::size_t>> colliding;

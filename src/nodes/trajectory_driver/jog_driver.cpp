@@ -10,6 +10,7 @@
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/verification/collision/checked_bodies.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 #include "latched.hpp"
 #include "names.hpp"
@@ -132,7 +133,7 @@ void JogDriver::beginIfAtRest(const ros::Time& now) {
     throw Rejected("the joints still move; expected them at rest for " + numberText(kJogSettling) +
                    " s before a jog begins");
   // Not while time passes for a motion.
-  if (settings_.is_clearance_checked && !bodies_) bodies_ = linkBodies(model_.urdf());
+  if (settings_.is_clearance_checked && !bodies_) bodies_ = checkedBodies(model_);
   links_.controller.begin();
   jog_.emplace(model_, settings_.jog, settings_.run.timing.trajectory.joint_ramp_s, here);
   begin_ = ros::Time::now();
