@@ -19,7 +19,8 @@ std::string solidLink(const std::string& link, const std::string& origin, const 
          "</geometry></collision></link>";
 }
 
-/// An arm whose flange stays in the fork of joint 4, and whose upper arm meets that fork when it is stretched.
+/// An arm whose flange stays in the fork of joint 4, and whose upper arm meets that fork when it is
+/// stretched.
 std::string forkedArm() {
   std::string text = test::railArm();
   const auto replace = [&text](const std::string& link, const std::string& solid) {

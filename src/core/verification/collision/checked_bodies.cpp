@@ -91,8 +91,8 @@ LinkBodies checkedBodies(const KinematicModel& model) {
   for (const auto& [links, pieces] : collidingPieces(bodies)) {
     if (!meetAt(pieces, at_zero)) continue;
     if (poses.empty()) poses = sampledPoses(model);
-    const auto meeting = std::count_if(
-        poses.begin(), poses.end(), [&pieces = pieces](const auto& each) { return meetAt(pieces, each); });
+    const auto meeting = std::count_if(poses.begin(), poses.end(),
+                                       [&pieces = pieces](const auto& each) { return meetAt(pieces, each); });
     if (static_cast<double>(meeting) > kBuiltShare * static_cast<double>(kSampledPoses))
       built.push_back(links);
   }
