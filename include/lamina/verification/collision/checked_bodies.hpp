@@ -9,7 +9,8 @@ namespace lamina {
 
 /// The solid pieces of a machine, of which links that are built into each other are ignored as well: links
 /// that meet with all joints at zero, or the limit nearest to it, and in more than 95 % of 200 poses that are
-/// always the same. Meshes of makers do so that are convex hulls, as of the fork that holds the flange.
+/// always the same, as far as the machine has them. Meshes of makers do so that are convex hulls, as of the
+/// fork that holds the flange.
 /// @throws as `linkBodies`
 LinkBodies checkedBodies(const KinematicModel& model);
 

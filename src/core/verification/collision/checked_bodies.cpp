@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "verification/collision/solid.hpp"
 
@@ -56,12 +58,21 @@ JointValues drawnValues(const KinematicModel& model, Random& random) {
   return values;
 }
 
+/// Nothing where the legs of a platform cannot be closed.
+std::optional<PosesOfLinks> posesAt(const KinematicModel& model, const JointValues& values) {
+  try {
+    return model.bedFromLinks(values);
+  } catch (const Unreachable&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<PosesOfLinks> sampledPoses(const KinematicModel& model) {
   Random random(1);
   std::vector<PosesOfLinks> poses;
   poses.reserve(kSampledPoses);
   for (std::size_t i = 0; i < kSampledPoses; ++i)
-    poses.push_back(model.bedFromLinks(drawnValues(model, random)));
+    if (auto drawn = posesAt(model, drawnValues(model, random))) poses.push_back(std::move(*drawn));
   return poses;
 }
 
@@ -85,15 +96,16 @@ std::map<std::pair<std::string, std::string>, SolidPieces> collidingPieces(const
 
 LinkBodies checkedBodies(const KinematicModel& model) {
   LinkBodies bodies = linkBodies(model.urdf());
-  const PosesOfLinks at_zero = model.bedFromLinks(valuesNearestToZero(model));
+  const std::optional<PosesOfLinks> at_zero = posesAt(model, valuesNearestToZero(model));
+  if (!at_zero) return bodies;
   std::vector<PosesOfLinks> poses;
   std::vector<std::pair<std::string, std::string>> built;
   for (const auto& [links, pieces] : collidingPieces(bodies)) {
-    if (!meetAt(pieces, at_zero)) continue;
+    if (!meetAt(pieces, *at_zero)) continue;
     if (poses.empty()) poses = sampledPoses(model);
     const auto meeting = std::count_if(poses.begin(), poses.end(),
                                        [&pieces = pieces](const auto& each) { return meetAt(pieces, each); });
-    if (static_cast<double>(meeting) > kBuiltShare * static_cast<double>(kSampledPoses))
+    if (static_cast<double>(meeting) > kBuiltShare * static_cast<double>(poses.size()))
       built.push_back(links);
   }
   bodies.ignored.insert(bodies.ignored.end(), built.begin(), built.end());
