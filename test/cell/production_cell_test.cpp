@@ -308,10 +308,7 @@ TEST(ProductionCell, KeepsAHeldJobWhoseLinkIsLost) {
 
 TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
   Cell cell;
-  bringToIdle(cell);
-  cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  bringToExecute(cell);
   cell.executor.report.phase = ExecutorPhase::Paused;
   EXPECT_TRUE(cell.reaches(UnitState::Held));
   cell.executor.report.phase = ExecutorPhase::Running;  // somebody has pressed the machine's button
@@ -320,10 +317,7 @@ TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
 
 TEST(ProductionCell, StaysHeldByAPersonWhateverTheExecutorDoes) {
   Cell cell;
-  bringToIdle(cell);
-  cell.enqueue("a.gcode");
-  cell.command(UnitCommand::Start);
-  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  bringToExecute(cell);
   cell.executor.report.phase = ExecutorPhase::Paused;
   ASSERT_TRUE(cell.reaches(UnitState::Held));
   cell.executor.report.phase = ExecutorPhase::Running;

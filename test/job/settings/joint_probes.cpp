@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Joints: how a machine or robot is led along a toolpath.
 #include <cmath>
+#include <functional>
 
 #include "job/settings/setting_probe.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
@@ -93,18 +94,22 @@ SettingProbe armProbe() {
             "joints.max_step_mm=100;joints.max_step_deg=90;joints.tip_tolerance_mm=100"}}};
 }
 
+/// Joints along a toolpath that lies on the bed of a description.
+std::function<std::string(const SettingTexts&)> jointsOfDescription(const std::string& urdf,
+                                                                    const Toolpath& toolpath) {
+  return [urdf, toolpath](const SettingTexts& set) {
+    NoProgress nobody;
+    return jointsText(runOn(*kinematicModelFromUrdf(urdf), toolpath, Eigen::Isometry3d::Identity(),
+                            settingsWith<RunSettings>(set).joints, nobody)
+                          .path);
+  };
+}
+
 SettingProbe sevenAxisProbe() {
-  const Toolpath toolpath = beads(60.0, 15.0);
-  return {
-      "joints of an arm of seven axes",
-      "joints.yaw_samples=24",
-      [toolpath](const SettingTexts& set) {
-        NoProgress nobody;
-        return jointsText(runOn(*kinematicModelFromUrdf(test::sphericalSeven().urdf()), toolpath,
-                                Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints, nobody)
-                              .path);
-      },
-      {{"joints.redundancy_samples=1"}}};
+  return {"joints of an arm of seven axes",
+          "joints.yaw_samples=24",
+          jointsOfDescription(test::sphericalSeven().urdf(), beads(60.0, 15.0)),
+          {{"joints.redundancy_samples=1"}}};
 }
 
 SettingProbe turntableProbe() {
@@ -117,17 +122,10 @@ SettingProbe turntableProbe() {
 }
 
 SettingProbe tiltingTableProbe() {
-  const Toolpath toolpath = beads(60.0, 15.0);
-  return {
-      "joints of an arm with a table that tilts",
-      "joints.yaw_samples=24;joints.external=gravity",
-      [toolpath](const SettingTexts& set) {
-        NoProgress nobody;
-        return jointsText(runOn(*kinematicModelFromUrdf(tiltingArm()), toolpath,
-                                Eigen::Isometry3d::Identity(), settingsWith<RunSettings>(set).joints, nobody)
-                              .path);
-      },
-      {{"joints.external_cone_deg=3"}}};
+  return {"joints of an arm with a table that tilts",
+          "joints.yaw_samples=24;joints.external=gravity",
+          jointsOfDescription(tiltingArm(), beads(60.0, 15.0)),
+          {{"joints.external_cone_deg=3"}}};
 }
 
 SettingProbe railProbe() {
