@@ -40,7 +40,7 @@ Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
   return ground;
 }
 
-std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& normal,
+std::vector<double> heightsOver(double level_mm, const Box3& ground, const Eigen::Vector3d& normal,
                                 const std::vector<Point3>& points,
                                 const Eigen::Isometry3d& toolpath_from_sensor) {
   std::vector<double> heights;
@@ -50,7 +50,7 @@ std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& norma
     const double height = at.dot(normal);
     const bool is_point = point.allFinite() && !point.isZero(0.0);
     const bool is_over = is_point && isInBox(ground, Point3(at - height * normal));
-    heights.push_back(is_over ? height : std::numeric_limits<double>::quiet_NaN());
+    heights.push_back(is_over ? height - level_mm : std::numeric_limits<double>::quiet_NaN());
   }
   return heights;
 }

@@ -27,10 +27,11 @@ double highestCell(const std::vector<CellEstimate>& estimates);
 /// middles, projected along the layers' normal onto the plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
 
-/// Heights of the points of a profile over the plane through the origin [mm]; not finite for a missing point,
-/// or one outside that area.
-/// @param points  [mm, frame of the sensor]
-std::vector<double> heightsOver(const Box3& ground, const Eigen::Vector3d& normal,
+/// Heights of the points of a profile over a plane of the layers' normal [mm]; not finite for a missing
+/// point, or one outside that area.
+/// @param level_mm  of the plane, over the origin
+/// @param points    [mm, frame of the sensor]
+std::vector<double> heightsOver(double level_mm, const Box3& ground, const Eigen::Vector3d& normal,
                                 const std::vector<Point3>& points,
                                 const Eigen::Isometry3d& toolpath_from_sensor);
 

@@ -285,9 +285,8 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
 void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
   if (!atlas_.isPlane(*layer_)) return;
   const double layer_mm = loop_->cells().height_mm.front();
-  const double top = loop_->cells().middle.front().dot(normal_);
-  std::vector<double> heights = heightsOver(ground_, normal_, points, toolpath_from_sensor);
-  for (double& height : heights) height -= top;
+  const double top_mm = loop_->cells().middle.front().dot(normal_);
+  const std::vector<double> heights = heightsOver(top_mm, ground_, normal_, points, toolpath_from_sensor);
   lump_.see(heights);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(heights[i] < -settings_.sight.window_layers * layer_mm)) continue;
