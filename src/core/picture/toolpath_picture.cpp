@@ -20,7 +20,7 @@ namespace {
 constexpr double kMargin = 40.0;        // px
 constexpr double kTitleHeight = 84.0;   // px
 constexpr double kFooterHeight = 72.0;  // px
-constexpr double kBarWidth = 130.0;     // px, of the colour bar with its values
+constexpr double kBarWidth = 150.0;     // px, of the colour bar with its values and its label
 constexpr double kStripeHeight = 2.5;   // px
 constexpr Colour kGrid{0.86, 0.87, 0.89};
 constexpr Colour kTravel{0.35, 0.38, 0.45, 0.75};
