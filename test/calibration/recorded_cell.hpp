@@ -75,9 +75,11 @@ struct RecordedCell {
 
 /// How far along the ray of direction (across, 0, 1) the surface lies; no number if it is out of range.
 inline double depthOf(const RecordedCell& cell, const Eigen::Isometry3d& bed_from_sensor, double across) {
+  const Point3 from = bed_from_sensor.translation();
+  const Eigen::Vector3d ray = bed_from_sensor.linear() * Eigen::Vector3d(across, 0.0, 1.0);
   const auto above = [&](double depth) {
-    const Point3 at = bed_from_sensor * Point3(across * depth, 0.0, depth);
-    return at.z() - cell.surface(at.head<2>());
+    const Point2 at(from[0] + depth * ray[0], from[1] + depth * ray[1]);
+    return from[2] + depth * ray[2] - cell.surface(at);
   };
   double near = 30.0;
   if (above(near) < 0.0) return std::nan("");

@@ -74,14 +74,21 @@ CrossTarget cross() {
   return {crossBeads(settings), settings.bead_width_mm, settings.bead_height_mm};
 }
 
-/// Round beads on the bed.
+/// Round beads on the bed. Plain numbers, since it is asked a million times and tests are hardly optimised.
 double crossHeight(const CrossTarget& target, const Point2& at) {
   double height = 0.0;
   for (const CalibrationBead& bead : target.beads) {
-    const Point2 along = bead.end - bead.start;
-    const double part = std::min(1.0, std::max(0.0, (at - bead.start).dot(along) / along.squaredNorm()));
-    const double t = (at - bead.start - part * along).norm() / (0.5 * target.bead_width_mm);
-    if (t < 1.0) height = std::max(height, target.bead_height_mm * std::sqrt(1.0 - t * t));
+    const double along[] = {bead.end[0] - bead.start[0], bead.end[1] - bead.start[1]};
+    const double from[] = {at[0] - bead.start[0], at[1] - bead.start[1]};
+    const double part =
+        (from[0] * along[0] + from[1] * along[1]) / (along[0] * along[0] + along[1] * along[1]);
+    const double foot = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+    const double across[] = {from[0] - foot * along[0], from[1] - foot * along[1]};
+    const double radius = 0.5 * target.bead_width_mm;
+    const double t = (across[0] * across[0] + across[1] * across[1]) / (radius * radius);
+    if (t >= 1.0) continue;
+    const double bead_height = target.bead_height_mm * std::sqrt(1.0 - t);
+    if (bead_height > height) height = bead_height;
   }
   return height;
 }

@@ -106,7 +106,7 @@ TEST(FrontConvergenceTest, Zdt1WithThirtyVariablesIsSolvedAsByPagmo) {
 }
 
 TEST(FrontConvergenceTest, Dtlz2WithThreeObjectivesIsSolvedAsByPagmo) {
-  expectAsByPagmo(pagmo::dtlz(2, 12, 3), settingsOf(Variation::Sbx, 100, 150), 80, 0.98);
+  expectAsByPagmo(pagmo::dtlz(2, 12, 3), settingsOf(Variation::Sbx, 100, 75), 80, 0.98);
 }
 
 TEST(FrontConvergenceTest, TheSourcesVariationSolvesZdt1WithFiveVariables) {

@@ -164,6 +164,7 @@ class HeightLoop {
   std::vector<double> deficit_;         ///< lack of cross-section, of a pressed process
   std::vector<int> sections_seen_;      ///< number of values of `deficit_` of the layer
   std::vector<double> applied_;         ///< correction of the layer
+  std::vector<std::size_t> contested_;  ///< cells whose last reading is contested; others may be among them
   double cloud_sigma_mm_ = 0.0;         ///< greatest standard deviation of the cloud's readings
   LayerKnowledge before_clouds_;        ///< what would be known if no cloud had shown the layer below
   std::vector<double> before_deficit_;  ///< `deficit_` if no cloud had shown the layer below

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "control/profile_points.hpp"
+#include "control/run_stretches.hpp"
 
 namespace lamina {
 namespace {
@@ -68,13 +69,6 @@ class CellContour {
   double half_width_mm_;
   std::vector<ContourPoint> points_;
 };
-
-/// The run that a cell belongs to.
-std::size_t runOf(const LayerCells& cells, std::size_t cell) {
-  const auto after = std::upper_bound(cells.runs.begin(), cells.runs.end(), cell,
-                                      [](std::size_t at, const CellRun& run) { return at < run.first; });
-  return static_cast<std::size_t>(after - cells.runs.begin()) - 1;
-}
 
 bool isOnCrown(const std::optional<CellSight>& sight, std::size_t layer) {
   return sight && sight->layer == layer && sight->across_share <= kCrownReach;

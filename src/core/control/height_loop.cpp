@@ -100,6 +100,13 @@ std::vector<double> carried(const std::vector<std::uint32_t>& below, const std::
   return taken;
 }
 
+std::vector<std::size_t> contestedCells(const std::vector<CellEstimate>& estimates) {
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < estimates.size(); ++i)
+    if (estimates[i].contested()) cells.push_back(i);
+  return cells;
+}
+
 }  // namespace
 
 HeightLoop::HeightLoop(const LoopSettings& settings, const Eigen::Vector3d& normal)
@@ -138,6 +145,7 @@ void HeightLoop::beginLayer(LayerCells cells, std::vector<double> learnt) {
   applied_.assign(cells.size(), 0.0);
   cells_ = std::move(cells);
   estimates_ = std::move(estimates);
+  contested_ = contestedCells(estimates_);
   learnt_ = std::move(learnt);
   if (!learnt_.empty()) takeGainsOver(learnt_below);
   clouds_below_ = clouds_;
@@ -265,7 +273,9 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
   const bool was_known = estimate.isKnown();
   const double prior = estimate.variance();
   const double expected = estimate.gain() * cells_.height_mm[cell];
+  const bool was_contested = estimate.contested().has_value();
   const ReadingOutcome outcome = estimate.see(reading, settings_.reading_correlation);
+  if (!was_contested && estimate.contested()) contested_.push_back(cell);
   cloud_sigma_mm_ = std::max(cloud_sigma_mm_, reading.sigma_mm);
   if (outcome.use != ReadingUse::Used) return outcome;
   if (was_seen) {
@@ -314,12 +324,17 @@ void HeightLoop::believePatches() {
     const auto there = estimates_[b].claimed();
     return here && there && std::abs(*here - *there) <= kPatchAgreement * cloud_sigma_mm_;
   };
-  for (const CellRun& run : cells_.runs)
-    for (const CellStretch& stretch : stretchesOf(run, agrees)) {
-      const double length = static_cast<double>(stretch.count) * run.cellLength();
-      if (stretch.count < 2 || length < cells_.width_mm[stretch.first]) continue;
-      for (std::size_t i = 0; i < stretch.count; ++i) estimates_[cellOf(run, stretch, i)].believe();
-    }
+  for (const std::size_t cell : contested_) {
+    if (!estimates_[cell].contested()) continue;
+    const CellRun& run = cells_.runs[runOf(cells_, cell)];
+    const CellStretch stretch = stretchAround(run, cell, agrees);
+    const double length = static_cast<double>(stretch.count) * run.cellLength();
+    if (stretch.count < 2 || length < cells_.width_mm[stretch.first]) continue;
+    for (std::size_t i = 0; i < stretch.count; ++i) estimates_[cellOf(run, stretch, i)].believe();
+  }
+  contested_.erase(std::remove_if(contested_.begin(), contested_.end(),
+                                  [&](std::size_t cell) { return !estimates_[cell].contested(); }),
+                   contested_.end());
 }
 
 void HeightLoop::replan(double raised_mm, double flow) {
@@ -347,6 +362,7 @@ void HeightLoop::resume(LayerCells cells, const StoredHeights& stored, std::vect
   learnt_ = std::move(learnt);
   estimates_.clear();
   for (const StoredEstimate& cell : stored.estimates) estimates_.emplace_back(cell);
+  contested_ = contestedCells(estimates_);
   deficit_ = stored.deficit;
   before_clouds_ = stored.before_clouds;
   before_deficit_ = stored.before_deficit;

@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "lamina/control/layer_cells.hpp"
 
 namespace lamina {
+
+/// Number of the run that a cell of the layer belongs to; logarithmic in the runs.
+inline std::size_t runOf(const LayerCells& cells, std::size_t cell) {
+  const auto after = std::upper_bound(cells.runs.begin(), cells.runs.end(), cell,
+                                      [](std::size_t at, const CellRun& run) { return at < run.first; });
+  return static_cast<std::size_t>(after - cells.runs.begin()) - 1;
+}
 
 /// Consecutive cells of a run that belong together.
 struct CellStretch {
@@ -34,6 +42,26 @@ std::vector<CellStretch> stretchesOf(const CellRun& run, Belongs belongs) {
     stretches.erase(stretches.begin());
   }
   return stretches;
+}
+
+/// The stretch of `stretchesOf` that holds a cell of the run; linear in its cells. It begins anywhere where
+/// all cells of a closed run belong together.
+template <class Belongs>
+CellStretch stretchAround(const CellRun& run, std::size_t cell, Belongs belongs) {
+  const std::size_t end = run.first + run.count;
+  const auto next = [&](std::size_t at) { return at + 1 < end ? at + 1 : run.first; };
+  const auto before = [&](std::size_t at) { return at > run.first ? at - 1 : end - 1; };
+  CellStretch stretch{cell, 1};
+  for (std::size_t last = cell; stretch.count < run.count; ++stretch.count) {
+    if ((!run.is_closed && last + 1 == end) || !belongs(last, next(last))) break;
+    last = next(last);
+  }
+  for (; stretch.count < run.count; ++stretch.count) {
+    const std::size_t previous = before(stretch.first);
+    if ((!run.is_closed && stretch.first == run.first) || !belongs(previous, stretch.first)) break;
+    stretch.first = previous;
+  }
+  return stretch;
 }
 
 }  // namespace lamina

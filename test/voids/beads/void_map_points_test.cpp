@@ -25,20 +25,25 @@ struct PointCount {
   double overfill_mm2 = 0.0;
 };
 
-/// How many passes of a run fill that point; -1 if none does, but a bead reaches it.
+/// How many passes of a run fill that point; -1 if none does, but a bead reaches it. Plain numbers, since it
+/// is asked millions of times and tests are hardly optimised.
 int passesAt(const Path& run, const Point2& at, double one_pass_mm) {
   std::vector<double> arcs;
   bool is_reached = false;
   double arc = 0.0;
   for (std::size_t m = 0; m < run.motionCount(); ++m) {
-    const Point2 from = run.points[m].head<2>();
-    const Point2 along = run.points[run.motionEnd(m)].head<2>() - from;
-    const double t = std::clamp((at - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const double distance = (from + t * along - at).norm();
+    const Point3& from = run.points[m];
+    const Point3& to = run.points[run.motionEnd(m)];
+    const double along[] = {to[0] - from[0], to[1] - from[1]};
+    const double offset[] = {at[0] - from[0], at[1] - from[1]};
+    const double length = std::sqrt(along[0] * along[0] + along[1] * along[1]);
+    const double t = std::clamp((offset[0] * along[0] + offset[1] * along[1]) / (length * length), 0.0, 1.0);
+    const double across[] = {offset[0] - t * along[0], offset[1] - t * along[1]};
+    const double distance = std::sqrt(across[0] * across[0] + across[1] * across[1]);
     const Bead& bead = run.bead.at(run.motionEnd(m));
     is_reached = is_reached || distance <= 0.5 * bead.width_mm;
-    if (distance <= 0.5 * planWidth(bead)) arcs.push_back(arc + t * along.norm());
-    arc += along.norm();
+    if (distance <= 0.5 * planWidth(bead)) arcs.push_back(arc + t * length);
+    arc += length;
   }
   if (arcs.empty()) return is_reached ? -1 : 0;
   std::sort(arcs.begin(), arcs.end());
