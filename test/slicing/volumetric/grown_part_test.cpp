@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "lamina/base/angle.hpp"
 #include "support/grown_parts.hpp"
 #include "support/lofted_solid.hpp"
 #include "support/solids.hpp"
@@ -119,6 +122,54 @@ TEST(GrownPart, ClosesAboveAHollow) {
   EXPECT_NEAR(hung.level_mm2, ceiling_mm2 + below_mm2, 5.0);
   EXPECT_LT(hung.grown_mm2, 0.35 * hung.level_mm2);
   EXPECT_EQ(hung.minima, 0U);
+}
+
+/// Counts how often a stage begins.
+class Beginnings final : public Progress {
+ public:
+  explicit Beginnings(std::string stage) : stage_(std::move(stage)) {}
+  void report(const std::string& stage, double) override {
+    if (stage == stage_ && last_ != stage_) ++count_;
+    last_ = stage;
+  }
+  bool isCancelled() const override { return false; }
+  int count() const { return count_; }
+
+ private:
+  std::string stage_;
+  std::string last_;
+  int count_ = 0;
+};
+
+/// The cube with a window, in coarse cells: less overhang is used in steps of 2.5 deg from 25 deg on.
+TEST(GrownPart, MakesCellsOnceForAllOverhangsTried) {
+  const Mesh cube = test::lyingPrism(
+      {{{-10, 0}, {10, 0}, {10, 20}, {-10, 20}}, {{{-5, 5}, {-5, 15}, {5, 15}, {5, 5}}}}, 20.0);
+  VolumetricRequest request;
+  request.settings.cell_mm = 1.0;
+  Beginnings made("voxelise");
+  EXPECT_LT(grownPart(cube, request, made).overhang_rad, toRadians(24.0)) << "more than one was tried";
+  EXPECT_EQ(made.count(), 1);
+}
+
+// A block of 10 mm from x = 20 mm on, and a post of 2 mm that is as high at x = 0.
+TEST(GrownCells, KnowTheLeastGrowthAroundAPlace) {
+  const Mesh post = test::boxBetween({0, 0, 0}, {2, 2, 30});
+  const Mesh part = joined(post, test::boxBetween({20, 0, 0}, {30, 10, 10}));
+  VolumetricRequest request;
+  request.settings.cell_mm = 0.5;
+  NoProgress nobody;
+  const GrownPart grown = grownPart(part, request, nobody);
+  for (double x = -20.0; x < 50.0; x += 1.7)
+    for (double z = -10.0; z < 45.0; z += 1.7) {
+      const Point3 place(x, 1.0, z);
+      const double least = grown.grown->leastAround(place);
+      for (const Point3& aside : {Point3(7.9, 0, 0), Point3(-7.9, 0, 0), Point3(0, 0, 7.9),
+                                  Point3(0, 0, -7.9), Point3(4.5, 4.5, -4.5), Point3(0, 0, 0)})
+        EXPECT_LE(least, grown.grown->at(place + aside)) << place.transpose() << ", " << aside.transpose();
+    }
+  EXPECT_GT(grown.grown->leastAround({1, 1, 28}), 10.0) << "only what is 20 mm below is less";
+  EXPECT_TRUE(std::isinf(grown.grown->leastAround({25, 5, 35}))) << "25 mm above the block";
 }
 
 }  // namespace

@@ -26,7 +26,11 @@ class HeadRoom {
     virtual ~Growth() = default;
     /// @param place  [mm, part frame]
     virtual double at(const Point3& place) const = 0;
+    /// A lower bound of what it is anywhere within `kAroundMm` of a place; minus infinity if there is none
+    /// that costs less than the places themselves.
+    virtual double leastAround(const Point3& place) const;
   };
+  static constexpr double kAroundMm = 8.0;
 
   /// @param stages  of the head; with none there are no collisions
   /// @param bed_mm  z of the bed [part frame]
@@ -40,9 +44,16 @@ class HeadRoom {
   bool isClear(const Point3& tip, const Point3& axis, double growth_mm) const;
 
  private:
+  /// Points of the hull within `kAroundMm` of their middle.
+  struct Patch {
+    Point3 middle;
+    std::vector<Point3> points;
+  };
+  static void addPatches(std::vector<Point3> points, std::vector<Patch>& patches);
+
   std::shared_ptr<const Growth> growth_;
   std::vector<HeadStage> stages_;
-  std::vector<Point3> hull_;  // tip at 0, z against the tool axis
+  std::vector<Patch> hull_;  // tip at 0, z against the tool axis
   double bed_mm_;
 };
 

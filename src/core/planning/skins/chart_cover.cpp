@@ -13,6 +13,7 @@ namespace lamina {
 namespace {
 
 constexpr double kFinest = 0.5;  // bead widths, from the middle of a patch to its corners
+constexpr double kNear = 5.0;    // bead widths, between patches that follow each other
 constexpr double kOverlap =
     1.02;  // of patches, over their size: without it rounding parts neighbours by slivers
 
@@ -61,7 +62,10 @@ class SeenPatches {
  public:
   /// @param inner  outlines of what lies within walls; must outlive this
   SeenPatches(const PartSpace& part, const SkinReach& reach, const std::vector<Polygon>& inner)
-      : part_(part), reach_(reach), inner_(inner) {}
+      : part_(part),
+        reach_(reach),
+        inner_(inner),
+        sides_(part.sides, reach.below + 1 + reach.above, kNear * reach.bead_mm) {}
 
   void add(const Patch& patch) {
     const SeenPlace middle = middleOf(patch);
@@ -92,14 +96,16 @@ class SeenPatches {
   std::vector<Polygon> from_anywhere;  ///< a layer within reach is missing
 
  private:
-  bool goesOn(const SeenPlace& middle, double layers) const {
-    return part_.inside.isWithin(middle.place + layers * middle.growth);
+  /// Patches follow each other, so that places as many layers off make a row.
+  bool goesOn(const SeenPlace& middle, int layers) {
+    const Point3 place = middle.place + static_cast<double>(layers) * middle.growth;
+    return sides_.isWithin(place, reach_.below + static_cast<std::size_t>(layers));
   }
 
   /// Whether a layer from the second on is missing.
-  bool endsWithin(const SeenPlace& middle, std::size_t layers, double sense) const {
+  bool endsWithin(const SeenPlace& middle, std::size_t layers, int sense) {
     for (std::size_t k = 2; k <= layers; ++k)
-      if (!goesOn(middle, sense * static_cast<double>(k))) return true;
+      if (!goesOn(middle, sense * static_cast<int>(k))) return true;
     return false;
   }
 
@@ -108,18 +114,19 @@ class SeenPatches {
     outline.reserve(patch.size());
     for (const SeenPlace& corner : patch)
       outline.push_back(middle.plan + kOverlap * (corner.plan - middle.plan));
-    const bool ends_above = reach_.above > 0 && !goesOn(middle, 1.0);
-    const bool ends_below = reach_.below > 0 && !goesOn(middle, -1.0);
+    const bool ends_above = reach_.above > 0 && !goesOn(middle, 1);
+    const bool ends_below = reach_.below > 0 && !goesOn(middle, -1);
     if (ends_above) from_above.push_back(outline);
     if (ends_below) from_below.push_back(outline);
-    if (ends_above || ends_below || endsWithin(middle, reach_.above, 1.0) ||
-        endsWithin(middle, reach_.below, -1.0))
+    if (ends_above || ends_below || endsWithin(middle, reach_.above, 1) ||
+        endsWithin(middle, reach_.below, -1))
       from_anywhere.push_back(outline);
   }
 
   const PartSpace& part_;
   const SkinReach& reach_;
   const std::vector<Polygon>& inner_;
+  RowSides sides_;  ///< by layers from the lowest that is looked at
 };
 
 /// The material but for the patches, whose seams and jags are closed.

@@ -8,20 +8,20 @@
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
-#include "lamina/geometry/spatial/solid_angle.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/planning/skins/layer_cover.hpp"
+#include "planning/skins/part_sides.hpp"
 
 namespace lamina {
 
 /// A part in which places are looked up. Queries may be made from several threads.
 struct PartSpace {
   NearestTriangle surface;
-  SolidAngle inside;
+  PartSides sides;
 
   /// @param mesh  closed; must outlive this
   /// @throws InvalidInput if it has no triangle
-  explicit PartSpace(const Mesh& mesh) : surface(mesh), inside(mesh) {}
+  explicit PartSpace(const Mesh& mesh) : surface(mesh), sides(mesh) {}
 };
 
 /// How far skins look from a layer that is planned on charts, and how closely.

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,7 +35,8 @@ constexpr double kLargestCellMm = 1.0;
 constexpr std::array<double, 3> kShares = {1.0, 0.5, 0.25};  // of a fit
 constexpr double kMoreUnsupported = 0.1;                     // % of the surface, by a fit
 constexpr double kBeyondThickness = 0.005;                   // of the volume
-constexpr double kLeastBeads = 2.0 / 3.0;                    // of a cell so chosen, in bead widths
+constexpr double kBlockMm = 4.0;           // side of blocks of cells, of which the least growth is known
+constexpr double kLeastBeads = 2.0 / 3.0;  // of a cell so chosen, in bead widths
 
 double cellFor(double volume_mm3, const VolumetricRequest& request) {
   if (request.settings.cell_mm > 0.0) return request.settings.cell_mm;
@@ -84,11 +87,20 @@ GrownPart measured(GrownPart part, Progress& progress) {
   return part;
 }
 
-GrownPart grownBy(double overhang_rad, const Mesh& mesh, const VolumetricRequest& request,
-                  Progress& progress) {
+double bedUnder(const Mesh& mesh, const VolumetricRequest& request) {
+  return boundingBox(mesh).low.z() + request.settings.sink_mm;
+}
+
+std::shared_ptr<const CellGraph> cellsOf(const Mesh& mesh, const VolumetricRequest& request,
+                                         Progress& progress) {
+  return std::make_shared<const CellGraph>(mesh, cellFor(volume(mesh), request), bedUnder(mesh, request),
+                                           progress);
+}
+
+GrownPart grownBy(double overhang_rad, std::shared_ptr<const CellGraph> cells, const Mesh& mesh,
+                  const VolumetricRequest& request, Progress& progress) {
   const VolumetricSettings& settings = request.settings;
-  const double bed = boundingBox(mesh).low.z() + settings.sink_mm;
-  auto cells = std::make_shared<const CellGraph>(mesh, cellFor(volume(mesh), request), bed, progress);
+  const double bed = bedUnder(mesh, request);
   const GrowthGauge gauge(limitsOf(overhang_rad, settings));
   ArrivalField field =
       arrivalField(*cells, gauge, {bed, 0.5 * request.slicing.first_layer_height_mm}, progress);
@@ -172,10 +184,12 @@ GrownPart arrivedPart(const Mesh& mesh, const VolumetricRequest& request, Progre
   const auto usable = [&](double asked_deg) {
     return overhangWithin(toRadians(std::max(0.0, asked_deg)), settings.max_thickness);
   };
+  // However much overhang is used: the cells are the same.
+  const std::shared_ptr<const CellGraph> cells = cellsOf(mesh, request, progress);
   if (settings.overhang_used_deg >= 0.0)
-    return grownBy(usable(settings.overhang_used_deg), mesh, request, progress);
+    return grownBy(usable(settings.overhang_used_deg), cells, mesh, request, progress);
   const double first_deg = settings.max_overhang_deg - kMarginDeg;
-  std::optional<GrownPart> best = grownBy(usable(first_deg), mesh, request, progress);
+  std::optional<GrownPart> best = grownBy(usable(first_deg), cells, mesh, request, progress);
   const bool is_shut = best->shut() > kMuchShut;
   const double step_deg = is_shut ? kOverhangStepDeg : -kOverhangStepDeg;
   const auto isLeftOff = [&] {
@@ -192,7 +206,7 @@ GrownPart arrivedPart(const Mesh& mesh, const VolumetricRequest& request, Progre
     if (asked_deg < kLeastUsedDeg || asked_deg > settings.max_overhang_deg - kLeastMarginDeg) break;
     if (usable(asked_deg) == used_rad) break;
     used_rad = usable(asked_deg);
-    GrownPart next = grownBy(used_rad, mesh, request, progress);
+    GrownPart next = grownBy(used_rad, cells, mesh, request, progress);
     if (!isPossible(next)) break;
     // Some room is made only by several steps.
     if (!is_shut || next.shut() < best->shut()) best.emplace(std::move(next));
@@ -200,7 +214,59 @@ GrownPart arrivedPart(const Mesh& mesh, const VolumetricRequest& request, Progre
   return std::move(*best);
 }
 
+/// Blocks as far as which a block's neighbours may lie within `HeadRoom::kAroundMm` of a place in it.
+int blocksAround(double block_mm) { return static_cast<int>(std::ceil(HeadRoom::kAroundMm / block_mm)); }
+
 }  // namespace
+
+GrownCells::GrownCells(std::shared_ptr<const CellGraph> graph, ArrivalField arrival)
+    : cells(std::move(graph)), field(std::move(arrival)) {
+  const VoxelFrame& fine = cells->frame();
+  const int ratio = std::max(1, static_cast<int>(std::ceil(kBlockMm / fine.voxel_mm)));
+  blocks_.voxel_mm = ratio * fine.voxel_mm;
+  const int margin = blocksAround(blocks_.voxel_mm);
+  blocks_.corner = fine.corner - Point3::Constant(margin * blocks_.voxel_mm);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    blocks_.count[axis] = (fine.count[axis] + ratio - 1) / ratio + 2 * margin;
+  least_.assign(static_cast<std::size_t>(blocks_.voxelCount()), std::numeric_limits<double>::infinity());
+  for (std::uint32_t node = 0; node < cells->nodeCount(); ++node) {
+    const std::array<int, 3> cell = cells->cell(node);
+    double& least =
+        least_[blockOf({cell[0] / ratio + margin, cell[1] / ratio + margin, cell[2] / ratio + margin})];
+    least = std::min(least, field.growth_mm[node]);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) spreadAlong(axis);
+}
+
+std::size_t GrownCells::blockOf(const std::array<int, 3>& block) const {
+  return (static_cast<std::size_t>(block[2]) * static_cast<std::size_t>(blocks_.count[1]) +
+          static_cast<std::size_t>(block[1])) *
+             static_cast<std::size_t>(blocks_.count[0]) +
+         static_cast<std::size_t>(block[0]);
+}
+
+/// Takes for each block the least of those around it along an axis.
+void GrownCells::spreadAlong(std::size_t axis) {
+  const std::vector<double> own = least_;
+  const int reach = blocksAround(blocks_.voxel_mm);
+  for (int k = 0; k < blocks_.count[2]; ++k)
+    for (int j = 0; j < blocks_.count[1]; ++j)
+      for (int i = 0; i < blocks_.count[0]; ++i) {
+        std::array<int, 3> at = {i, j, k};
+        double& least = least_[blockOf(at)];
+        const int last = std::min(blocks_.count[axis] - 1, at[axis] + reach);
+        for (at[axis] = std::max(0, at[axis] - reach); at[axis] <= last; ++at[axis])
+          least = std::min(least, own[blockOf(at)]);
+      }
+}
+
+double GrownCells::leastAround(const Point3& place) const {
+  const Point3 at = (place - blocks_.corner) / blocks_.voxel_mm;
+  const Point3 count(blocks_.count[0], blocks_.count[1], blocks_.count[2]);
+  if ((at.array() < 0.0).any() || (at.array() >= count.array()).any())
+    return std::numeric_limits<double>::infinity();
+  return least_[blockOf({static_cast<int>(at.x()), static_cast<int>(at.y()), static_cast<int>(at.z())})];
+}
 
 bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_height_mm) {
   const double gained_mm2 = best.unsupported_mm2 - next.unsupported_mm2;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "lamina/base/progress.hpp"
 #include "lamina/slicing/volumetric/volumetric_layers.hpp"
@@ -16,17 +19,26 @@
 namespace lamina {
 
 /// The cells of a part, and the growth at which each is reached.
-struct GrownCells final : HeadRoom::Growth {
-  GrownCells(std::shared_ptr<const CellGraph> graph, ArrivalField arrival)
-      : cells(std::move(graph)), field(std::move(arrival)) {}
+class GrownCells final : public HeadRoom::Growth {
+ public:
+  GrownCells(std::shared_ptr<const CellGraph> graph, ArrivalField arrival);
 
   double at(const Point3& place) const override {
     const std::uint32_t node = cells->nodeAt(place);
     return node == CellGraph::kNone ? std::numeric_limits<double>::infinity() : field.growth_mm[node];
   }
 
+  double leastAround(const Point3& place) const override;
+
   std::shared_ptr<const CellGraph> cells;
   ArrivalField field;
+
+ private:
+  std::size_t blockOf(const std::array<int, 3>& block) const;
+  void spreadAlong(std::size_t axis);
+
+  VoxelFrame blocks_;          ///< of several cells, with a margin round the part
+  std::vector<double> least_;  ///< growth in and around each block
 };
 
 /// Growth of a part for one overhang used, and how well it supports the surface and suits the head.

@@ -5,13 +5,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lamina {
 namespace {
 
 constexpr double kHullSpacingMm = 4.0;
-constexpr double kTipMm = 3.0;  // not looked at
+constexpr double kPatchMm = HeadRoom::kAroundMm - 1e-6;  // rounding moves points
+constexpr double kTipMm = 3.0;                           // not looked at
 constexpr double kFarthestMm = 120.0;
 constexpr double kBedMm = 0.05;  // bed is farther in by so much
 
@@ -36,7 +38,31 @@ void addStage(const HeadStage& stage, std::vector<Point3>& hull) {
 
 HeadRoom::HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadStage>& stages, double bed_mm)
     : growth_(std::move(growth)), stages_(stages), bed_mm_(bed_mm) {
-  for (const HeadStage& stage : stages_) addStage(stage, hull_);
+  std::vector<Point3> hull;
+  for (const HeadStage& stage : stages_) addStage(stage, hull);
+  if (!hull.empty()) addPatches(std::move(hull), hull_);
+}
+
+double HeadRoom::Growth::leastAround(const Point3& /*place*/) const {
+  return -std::numeric_limits<double>::infinity();
+}
+
+/// Halves of what is too large for one.
+void HeadRoom::addPatches(std::vector<Point3> points, std::vector<Patch>& patches) {
+  Box3 box;
+  for (const Point3& point : points) box.include(point);
+  const Point3 middle = 0.5 * (box.low + box.high);
+  const auto isNear = [&](const Point3& point) { return (point - middle).norm() <= kPatchMm; };
+  if (std::all_of(points.begin(), points.end(), isNear)) {
+    patches.push_back({middle, std::move(points)});
+    return;
+  }
+  Eigen::Index axis = 0;
+  box.size().maxCoeff(&axis);
+  const auto half = std::stable_partition(points.begin(), points.end(),
+                                          [&](const Point3& point) { return point[axis] < middle[axis]; });
+  addPatches({points.begin(), half}, patches);
+  addPatches({half, points.end()}, patches);
 }
 
 bool HeadRoom::isClear(const Point3& tip, const Point3& axis, double growth_mm) const {
@@ -48,8 +74,11 @@ bool HeadRoom::isClear(const Point3& tip, const Point3& axis, double growth_mm) 
   }
   const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), axis);
   const Eigen::Matrix3d frame = turn.toRotationMatrix();
-  return std::none_of(hull_.begin(), hull_.end(),
-                      [&](const Point3& point) { return growth_->at(tip + frame * point) < growth_mm; });
+  const auto isFilled = [&](const Point3& point) { return growth_->at(tip + frame * point) < growth_mm; };
+  return std::none_of(hull_.begin(), hull_.end(), [&](const Patch& patch) {
+    if (growth_->leastAround(tip + frame * patch.middle) >= growth_mm) return false;
+    return std::any_of(patch.points.begin(), patch.points.end(), isFilled);
+  });
 }
 
 }  // namespace lamina
