@@ -7,6 +7,7 @@
 import csv
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -87,7 +88,7 @@ class SweptBeads(unittest.TestCase):
 
     def test_gmsh_and_inventor_get_all_lines(self):
         geometry, macro = self.path("loop.geo"), self.path("loop.bas")
-        self.reported("sweep", self.program, "--corners", "lines", "--gmsh", geometry, "--inventor", macro)
+        reported = self.reported("sweep", self.program, "--corners", "lines", "--gmsh", geometry, "--inventor", macro)
         with open(geometry, encoding="utf-8") as file:
             text = file.read()
         lines = text.count("beads[] += v[1];")
@@ -97,10 +98,13 @@ class SweptBeads(unittest.TestCase):
         if shutil.which("gmsh") is None:
             self.skipTest("needs gmsh")
         with open(geometry, "a", encoding="utf-8") as file:
-            file.write("Printf(\"beads %g\", #beads[]);\n")
+            file.write("m = 0;\nFor i In {0:#beads[]-1}\n  k = Mass Volume{beads[i]};\n  m += k;\nEndFor\n")
+            file.write("Printf(\"beads %g of %.9g mm3\", #beads[], m);\n")
         done = subprocess.run(["gmsh", geometry, "-0", "-parse_and_exit"], capture_output=True, text=True, timeout=200, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-400:])
-        self.assertIn(f"beads {lines}", done.stdout)
+        found = re.search(r"beads (\d+) of ([\d.]+) mm3", done.stdout)
+        self.assertEqual(int(found[1]), lines)
+        self.assertAlmostEqual(float(found[2]) / reported["extruded_mm3"], 1.0, places=6)  # lines end flat
         self.assertNotIn("Error", done.stdout + done.stderr)
 
     def test_calculix_finds_the_same_force(self):

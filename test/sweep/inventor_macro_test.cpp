@@ -100,6 +100,35 @@ TEST(InventorMacro, CutsSweepsWhereInventorCannotGoRound) {
   EXPECT_EQ(lines, (std::vector<std::size_t>{1, 1, 1, 3}));
 }
 
+TEST(InventorMacro, CutsALoopBeforeItsLastLine) {
+  Sweep square = levelSweep({{0, 0, 0.3}, {9, 0, 0.3}, {9, 9, 0.3}, {0, 9, 0.3}, {0, 0, 0.3}});
+  square.is_loop = true;
+  const MacroReader read(inventorMacro({square}));
+  ASSERT_EQ(read.sweeps.size(), 2U);  // as one solid its first line would run into its last one
+  EXPECT_EQ(read.sweeps[0].path.back(), Point3(0, 9, 0.15));
+  EXPECT_EQ(read.sweeps[1].path, (std::vector<Point3>{{0, 9, 0.15}, {0, 0, 0.15}}));
+}
+
+std::size_t countOf(const std::string& words, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+/// Inventor's CreatePath follows lines that share a sketch point; lines between equal places are apart.
+TEST(InventorMacro, LetsLinesShareTheirSketchPoints) {
+  const std::string macro = inventorMacro({levelSweep({{0, 0, 0.3}, {5, 0, 0.3}, {6, 1, 0.3}})});
+  for (const char* points :
+       {"Private lastPlace As SketchPoint3D\r\n", "Private lastCorner As SketchPoint\r\n",
+        "  way.SketchLines3D.AddByTwoPoints lastPlace, place, False\r\n  Set lastPlace = place\r\n",
+        "  sketch.SketchLines.AddByTwoPoints lastCorner, corner\r\n  Set lastCorner = corner\r\n",
+        "    Set corner = firstCorner\r\n"})
+    EXPECT_EQ(countOf(points, macro), 1U) << points;
+  EXPECT_EQ(countOf("AddByTwoPoints", macro), 2U);
+  EXPECT_EQ(countOf("AddByThreePoints lastCorner, ", macro), 1U);
+  EXPECT_EQ(countOf(".CreateSweepDefinition(kPathSweepType, outline, ", macro), 1U);
+}
+
 TEST(InventorMacro, ParcelsOutProceduresThatVbaTakes) {
   std::vector<Point3> points;
   for (int i = 0; i <= 3000; ++i) points.emplace_back(i, std::sin(i), 0.3);

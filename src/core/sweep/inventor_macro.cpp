@@ -19,12 +19,20 @@ constexpr std::size_t kMostStatements = 400;  // a procedure of VBA ends at 64 k
 constexpr const char* kLineEnd = "\r\n";
 
 /// What the macro does with each sweep: a work plane across its first line, the stadium in it, the sweep.
+/// Lines of Inventor hang together only if they end in the same sketch point, not if they end at the same
+/// place.
 constexpr const char* kProcedures = R"(Attribute VB_Name = "SweptBeads"
 Option Explicit
 Private part As PartComponentDefinition
-Private path As Sketch3D
-Private profile As Profile
-Private last As Point
+Private sketch As PlanarSketch
+Private middle As Point
+Private side As UnitVector
+Private up As UnitVector
+Private firstCorner As SketchPoint
+Private lastCorner As SketchPoint
+Private outline As Profile
+Private way As Sketch3D
+Private lastPlace As SketchPoint3D
 
 Private Function At(x, y, z) As Point
   Set At = ThisApplication.TransientGeometry.CreatePoint(x / 10, y / 10, z / 10)
@@ -34,35 +42,36 @@ Private Function Along(x, y, z) As UnitVector
   Set Along = ThisApplication.TransientGeometry.CreateUnitVector(x, y, z)
 End Function
 
-Private Sub DrawArc(sketch, middle, side, up, a, b, r, quarter)
-  Dim centre As Point2d
-  Set centre = OnSketch(sketch, middle, side, up, a, b)
-  Dim ends(1) As Point2d
-  Dim i As Long
-  For i = 0 To 1
-    Dim angle As Double
-    angle = (quarter + i) * Atn(1) * 2
-    Set ends(i) = OnSketch(sketch, middle, side, up, a + r * Cos(angle), b + r * Sin(angle))
-  Next
-  Dim half As Double
-  half = (quarter + 0.5) * Atn(1) * 2
-  sketch.SketchArcs.AddByThreePoints ends(0), OnSketch(sketch, middle, side, up, a + r * Cos(half), b + r * Sin(half)), ends(1)
-End Sub
-
-Private Function OnSketch(sketch, middle, side, up, a, b) As Point2d
+Private Function OnSketch(a, b) As Point2d
   Dim place As Point
   Set place = ThisApplication.TransientGeometry.CreatePoint( _
     middle.X + (a * side.X + b * up.X) / 10, middle.Y + (a * side.Y + b * up.Y) / 10, middle.Z + (a * side.Z + b * up.Z) / 10)
   Set OnSketch = sketch.ModelToSketchSpace(place)
 End Function
 
-Private Sub DrawLine(sketch, middle, side, up, a1, b1, a2, b2)
-  If Abs(a2 - a1) + Abs(b2 - b1) < 0.000001 Then Exit Sub
-  sketch.SketchLines.AddByTwoPoints OnSketch(sketch, middle, side, up, a1, b1), OnSketch(sketch, middle, side, up, a2, b2)
+Private Sub DrawLine(a, b, length)
+  If length < 0.000001 Then Exit Sub
+  Dim corner As SketchPoint
+  Set corner = sketch.SketchPoints.Add(OnSketch(a, b), False)
+  sketch.SketchLines.AddByTwoPoints lastCorner, corner
+  Set lastCorner = corner
+End Sub
+
+Private Sub DrawArc(a, b, r, quarter)
+  Dim half As Double, whole As Double
+  half = (quarter + 0.5) * Atn(1) * 2
+  whole = (quarter + 1) * Atn(1) * 2
+  Dim corner As SketchPoint
+  If quarter = 3 Then
+    Set corner = firstCorner
+  Else
+    Set corner = sketch.SketchPoints.Add(OnSketch(a + r * Cos(whole), b + r * Sin(whole)), False)
+  End If
+  sketch.SketchArcs.AddByThreePoints lastCorner, OnSketch(a + r * Cos(half), b + r * Sin(half)), corner
+  Set lastCorner = corner
 End Sub
 
 Private Sub BeginBead(x, y, z, sx, sy, sz, ux, uy, uz, w, h)
-  Dim middle As Point, side As UnitVector, up As UnitVector, sketch As PlanarSketch
   Set middle = At(x, y, z)
   Set side = Along(sx, sy, sz)
   Set up = Along(ux, uy, uz)
@@ -71,28 +80,32 @@ Private Sub BeginBead(x, y, z, sx, sy, sz, ux, uy, uz, w, h)
   r = IIf(w < h, w, h) / 2
   a = w / 2 - r
   b = h / 2 - r
-  DrawLine sketch, middle, side, up, a + r, -b, a + r, b
-  DrawArc sketch, middle, side, up, a, b, r, 0
-  DrawLine sketch, middle, side, up, a, b + r, -a, b + r
-  DrawArc sketch, middle, side, up, -a, b, r, 1
-  DrawLine sketch, middle, side, up, -a - r, b, -a - r, -b
-  DrawArc sketch, middle, side, up, -a, -b, r, 2
-  DrawLine sketch, middle, side, up, -a, -b - r, a, -b - r
-  DrawArc sketch, middle, side, up, a, -b, r, 3
-  Set profile = sketch.Profiles.AddForSolid
-  Set path = part.Sketches3D.Add
-  Set last = middle
+  Set firstCorner = sketch.SketchPoints.Add(OnSketch(a + r, -b), False)
+  Set lastCorner = firstCorner
+  DrawLine a + r, b, 2 * b
+  DrawArc a, b, r, 0
+  DrawLine -a, b + r, 2 * a
+  DrawArc -a, b, r, 1
+  DrawLine -a - r, -b, 2 * b
+  DrawArc -a, -b, r, 2
+  DrawLine a, -b - r, 2 * a
+  DrawArc a, -b, r, 3
+  Set outline = sketch.Profiles.AddForSolid
+  Set way = part.Sketches3D.Add
+  Set lastPlace = way.SketchPoints3D.Add(middle)
 End Sub
 
 Private Sub LineTo(x, y, z)
-  Dim place As Point
-  Set place = At(x, y, z)
-  path.SketchLines3D.AddByTwoPoints last, place, False
-  Set last = place
+  Dim place As SketchPoint3D
+  Set place = way.SketchPoints3D.Add(At(x, y, z))
+  way.SketchLines3D.AddByTwoPoints lastPlace, place, False
+  Set lastPlace = place
 End Sub
 
 Private Sub EndBead()
-  part.Features.SweepFeatures.AddUsingPath profile, part.Features.CreatePath(path.SketchLines3D.Item(1)), kNewBodyOperation
+  Dim sweeps As SweepFeatures
+  Set sweeps = part.Features.SweepFeatures
+  sweeps.Add sweeps.CreateSweepDefinition(kPathSweepType, outline, part.Features.CreatePath(way.SketchLines3D.Item(1)), kNewBodyOperation)
 End Sub
 
 )";
@@ -159,7 +172,8 @@ std::string inventorMacro(const std::vector<Sweep>& sweeps) {
   for (const Sweep& sweep : sweeps) {
     for (std::size_t line = 0; line < sweep.lineCount(); ++line) {
       const BeadFrame frame = frameOfLine(sweep, line);
-      const bool begins = line == 0 || !continuesSweep(frameOfLine(sweep, line - 1), frame);
+      const bool closes = sweep.is_loop && line + 1 == sweep.lineCount();
+      const bool begins = line == 0 || closes || !continuesSweep(frameOfLine(sweep, line - 1), frame);
       if (begins && line > 0) script.finish();
       if (begins) script.begin(frame, sweep.bead);
       script.go(frame.middle + frame.way);

@@ -13,11 +13,11 @@
 namespace lamina {
 namespace {
 
-/// One bead of 0.4 x 0.2 mm that rises from 0.2 to 5 mm over 20 mm, about the axis y; and a skirt round it.
-Toolpath ramp() {
+/// One bead of 0.4 x 0.2 mm that rises to 5 mm over 20 mm, about the axis y; and a skirt round it.
+Toolpath ramp(double begins_mm = 0.2) {
   Path skirt = test::straightPath({-40, -40, 0.2}, {60, 40, 0.2});
   skirt.role = PathRole::Skirt;
-  return {"ramp", {{5.0, 0.2, {skirt, test::straightPath({10, 7, 0.2}, {30, 7, 5.0})}}}};
+  return {"ramp", {{5.0, 0.2, {skirt, test::straightPath({10, 7, begins_mm}, {30, 7, 5.0})}}}};
 }
 
 PartInProgram placeIn(const Toolpath& program, const Mesh& mesh, const std::optional<Point3>& given) {
@@ -29,6 +29,16 @@ TEST(PartInProgram, OfLayersThatAreNotLevelIsFoundByItsBox) {
   const PartInProgram found = placeIn(ramp(), test::boxBetween({0, 0, 0}, {20.4, 0.4, 5}), std::nullopt);
   EXPECT_EQ(found.finding, PartFinding::Box);
   EXPECT_LT((found.program_from_part - Point3(9.8, 6.8, 0)).norm(), 1e-9);
+}
+
+TEST(PartInProgram, StandsOnTheBedThoughItsLowestBeadLiesALittleAboveIt) {
+  // As curved layers of a sphere, which leave its very bottom open; half a bead are 0.1 mm.
+  const Mesh standing = test::boxBetween({0, 0, 0}, {20.4, 0.4, 5});
+  EXPECT_NEAR(placeIn(ramp(0.23), standing, std::nullopt).program_from_part.z(), 0.0, 1e-9);
+  EXPECT_NEAR(placeIn(ramp(0.17), standing, std::nullopt).program_from_part.z(), 0.0, 1e-9);
+  const Mesh raised = test::boxBetween({0, 0, 7}, {20.4, 0.4, 12});
+  EXPECT_NEAR(placeIn(ramp(0.23), raised, std::nullopt).program_from_part.z(), -7.0, 1e-9);
+  EXPECT_NEAR(placeIn(ramp(0.35), standing, std::nullopt).program_from_part.z(), 0.15, 1e-9) << "on a raft";
 }
 
 TEST(PartInProgram, AProgramOfALargerPartIsRefusedWithBothSizes) {

@@ -40,7 +40,8 @@ ComparedPart readComparedPart(const std::string& part, const InputSettings& sett
 
 /// Finds the position of a part in a program, ignoring skirt, brim and start lines. If layers are level, x
 /// and y follow from the contours; otherwise from the middle of the bounding box of what is deposited for the
-/// part. In z the bottom of the part is put at the bottom of the deposit.
+/// part. In z the bottom of the part is put at the bottom of the deposit; of layers that are not level at
+/// z = 0, if that is less than half of the thinnest bead away.
 /// @param given  program_from_part [mm], which is returned; empty to find it
 /// @throws InvalidInput if nothing is deposited for the part, or `given` is not finite; if layers are not
 /// level

@@ -3,7 +3,9 @@
 #include "lamina/job/part/part_in_program.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "job/part/part_reading.hpp"
 #include "lamina/base/error.hpp"
@@ -31,13 +33,23 @@ Box3 boxOfPart(const Toolpath& program) {
   return box;
 }
 
-double widestBeadOfPart(const Toolpath& program) {
+struct BeadBounds {
   double widest_mm = 0.0;
+  double thinnest_mm = std::numeric_limits<double>::infinity();
+};
+
+/// Of the beads that are deposited for the part.
+BeadBounds beadsOfPart(const Toolpath& program) {
+  BeadBounds bounds;
   for (const ToolpathLayer& layer : program.layers)
-    for (const Path& path : layer.paths)
-      if (isPartOfPart(path))
-        for (const Bead& bead : path.bead.values()) widest_mm = std::max(widest_mm, bead.width_mm);
-  return widest_mm;
+    for (const Path& path : layer.paths) {
+      if (!isPartOfPart(path)) continue;
+      for (const Bead& bead : path.bead.values()) {
+        bounds.widest_mm = std::max(bounds.widest_mm, bead.width_mm);
+        bounds.thinnest_mm = std::min(bounds.thinnest_mm, bead.height_mm);
+      }
+    }
+  return bounds;
 }
 
 std::string sizeText(const Box3& box) {
@@ -52,7 +64,7 @@ constexpr double kMostBeadsBeyond = 3.0;  // by which what is deposited for a pa
 /// A program that does not reach the end of its part deposits less.
 void requireWithin(const Box3& part, const Box3& deposited, const Toolpath& program,
                    const std::string& part_name) {
-  const double most_mm = kMostBeadsBeyond * widestBeadOfPart(program);
+  const double most_mm = kMostBeadsBeyond * beadsOfPart(program).widest_mm;
   if ((deposited.size() - part.size()).maxCoeff() <= most_mm) return;
   throw InvalidInput("'" + program.part_name + "' is no program of the part '" + part_name +
                      "': it deposits " + sizeText(deposited) + ", and the part has " + sizeText(part) +
@@ -63,6 +75,14 @@ void requireWithin(const Box3& part, const Box3& deposited, const Toolpath& prog
 Point3 byBox(const Box3& deposited, const Box3& part) {
   const Point3 middle = deposited.centre() - part.centre();
   return {middle.x(), middle.y(), deposited.low.z() - part.low.z()};
+}
+
+/// Where the part stands on the bed, z = 0, if that is less than half a bead off: curved layers may leave the
+/// very bottom of a part open, so that their lowest bead lies a little above it.
+Point3 stoodOnBed(Point3 by_box, const Box3& part, const Toolpath& program) {
+  const double standing_mm = 0.0 - part.low.z();  // 0, not -0
+  if (std::abs(by_box.z() - standing_mm) < 0.5 * beadsOfPart(program).thinnest_mm) by_box.z() = standing_mm;
+  return by_box;
 }
 
 bool hasLevelLayers(const Toolpath& program) { return !isInclined(program) && hasPlaneLayers(program); }
@@ -91,7 +111,7 @@ PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const 
   const Point3 by_box = byBox(deposited, box);
   if (!hasLevelLayers(program)) {
     requireWithin(box, deposited, program, part.name);
-    return {by_box, PartFinding::Box};
+    return {stoodOnBed(by_box, box, program), PartFinding::Box};
   }
   const Point2 offset = placeContours(program, {part.name, settings, {}, std::nullopt}, progress).offset;
   return {{offset.x(), offset.y(), by_box.z()}, PartFinding::Contours};
