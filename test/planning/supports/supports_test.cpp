@@ -288,6 +288,28 @@ TEST(Supports, HoldAHangingPoint) {
   EXPECT_TRUE(is_held);
 }
 
+TEST(Supports, HoldAHangingEdge) {
+  // An edge of 20 mm along y, 0.3 mm wide, that hangs beside a wall; its faces lean just less than the limit.
+  const auto layers = test::layersOf(100, [](int l) {
+    std::vector<Polygon> contours{rectangle(-40, -5, -30, 5)};
+    const double half = 0.15 + 0.199 * (l - 40);
+    if (l >= 40) contours.push_back(rectangle(-half, -10, half, 10));
+    return contours;
+  });
+  const Plan plan = plannedWith(layers, withSupports());
+  EXPECT_GE(plan.supports.overhang_mm2, 6.0);
+  EXPECT_NEAR(plan.supports.unsupported_mm2, 0.0, 1e-6);
+  forEachSupport(plan.toolpath, [&](const Path& path, std::size_t l) {
+    EXPECT_LT(l, 39U);
+    for (const Point3& point : path.points) EXPECT_LT(std::abs(point.x()), 0.5);
+  });
+  std::vector<Path> last;
+  for (const Path& path : plan.toolpath.layers[38].paths)
+    if (isSupport(path)) last.push_back(path);
+  ASSERT_FALSE(last.empty());
+  for (double y = -9.8; y <= 9.8; y += 0.2) EXPECT_LE(distanceToLines(last, {0.0, y}), 0.4) << y;
+}
+
 /// Of a stack of steps of eight layers: the last two layers below the gap reach ledges of the next step.
 double gapBeside(std::size_t layer) { return layer % 8 == 5 || layer % 8 == 6 ? kLedgeGap : kSideGap; }
 

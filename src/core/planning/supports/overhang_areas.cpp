@@ -14,6 +14,7 @@ namespace lamina {
 namespace {
 
 constexpr int kTipSides = 16;
+constexpr double kTouching = 1e-3;  // mm
 
 /// Round the point, of the area of the disc.
 Polygon disc(const Point2& middle, double diameter_mm) {
@@ -31,13 +32,39 @@ Point2 middleOf(const Polygon& polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
-/// Adds a tip below each piece that is too small for a support and hangs on nothing.
+double lengthAround(const Polygon& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+  return sum;
+}
+
+/// That of a strip of the same area and outline.
+double meanWidth(const Region& piece) {
+  double around = 0.0;
+  for (const Polygon& border : outlines({piece})) around += lengthAround(border);
+  return around > 0.0 ? 2.0 * area({piece}) / around : 0.0;
+}
+
+bool hangsOnNothing(const Region& piece, const Regions& below) {
+  const Regions reach = offset({piece}, kTouching);
+  return intersection(reach, within(below, boxOf(reach), kTouching)).empty();
+}
+
+/// Adds a tip below each piece that hangs on nothing and is too small for a support: a disc below a point,
+/// a strip as wide below an edge.
 Regions withTips(Regions overhang, const Regions& below, const SupportSettings& settings) {
   std::vector<Polygon> tips;
-  const double small_mm2 = settings.tip_mm * settings.tip_mm;
+  const double tip = settings.tip_mm;
   for (const Region& piece : overhang) {
-    if (area({piece}) > small_mm2 || !intersection(offset({piece}, 1e-3), below).empty()) continue;
-    tips.push_back(disc(middleOf(piece.outer), settings.tip_mm));
+    const double width = meanWidth(piece);
+    const bool is_small = area({piece}) <= tip * tip;
+    if ((!is_small && width >= tip) || !hangsOnNothing(piece, below)) continue;
+    if (boxOf({piece}).size().norm() > tip && width < tip) {
+      for (Polygon& strip : outlines(offset({piece}, 0.5 * (tip - width)))) tips.push_back(std::move(strip));
+    } else {
+      tips.push_back(disc(middleOf(piece.outer), tip));
+    }
   }
   if (tips.empty()) return overhang;
   return united(overhang, unite(tips));
