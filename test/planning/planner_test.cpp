@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -43,6 +45,42 @@ TEST(Planner, LaysTheWallsOfASquareHalfABeadAndThenAPitchInside) {
   EXPECT_NEAR(lengthOf(toolpath, PathRole::OuterWall), 4 * 19.6, 1e-3);
   // A bead of 0.4 x 0.2 mm fills (0.2 * 0.2 + pi * 0.01) / 0.2 mm.
   EXPECT_NEAR(lengthOf(toolpath, PathRole::InnerWall), 4 * (19.6 - 2 * (0.2 + 0.05 * M_PI)), 1e-3);
+}
+
+/// Runs of that role that are shorter.
+int shorterRuns(const Toolpath& toolpath, PathRole role, double length_mm) {
+  int count = 0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == role && length(path) < length_mm) ++count;
+  return count;
+}
+
+/// A dome with waves round it, whose layers end in skins that divide the infill.
+std::vector<Layer> wavyDome(int count) {
+  return test::layersOf(count, [&](int i) {
+    const double radius = 15.0 * std::sqrt(1.0 - std::pow(static_cast<double>(i) / count, 2.0));
+    Polygon outline;
+    for (int k = 0; k < 180; ++k) {
+      const double phi = k * M_PI / 90.0;
+      const double r = radius * (1.0 + 0.1 * std::cos(5.0 * phi) + 0.05 * std::cos(13.0 * phi + 0.05 * i));
+      outline.emplace_back(r * std::cos(phi), r * std::sin(phi));
+    }
+    return std::vector<Polygon>{outline};
+  });
+}
+
+TEST(Planner, DoesNotTravelToDotsInsideThePart) {
+  PlanSettings settings = plainSettings();
+  settings.infill.density = 0.2;
+  settings.skins.top_layers = settings.skins.bottom_layers = 4;
+  const Toolpath toolpath = plan(wavyDome(60), settings);
+  EXPECT_GT(lengthOf(toolpath, PathRole::Infill), 0.0);
+  EXPECT_GT(lengthOf(toolpath, PathRole::Skin), 0.0);
+  EXPECT_EQ(shorterRuns(toolpath, PathRole::Infill, 0.8), 0);
+  EXPECT_EQ(shorterRuns(toolpath, PathRole::InnerWall, 0.4), 0);
+  EXPECT_EQ(shorterRuns(toolpath, PathRole::GapFill, 0.4), 0);
+  EXPECT_EQ(shorterRuns(toolpath, PathRole::Skin, 0.4), 0);
 }
 
 TEST(Planner, WithoutWallsAndInfillGivesEmptyLayers) {

@@ -58,6 +58,31 @@ TEST(RunPath, LeavesRunsOfOneWidthAndLoops) {
   EXPECT_EQ(withoutShortMotions(run, kRunBead).points.size(), 3U);
 }
 
+TEST(RunPath, LeavesOutDotsInsideThePart) {
+  const auto line = [](PathRole role, double length_mm) {
+    return FillPath{{{0, 0}, {0.5 * length_mm, 0}, {length_mm, 0}}, false, role, Deposit::Bead, {}};
+  };
+  const auto stays = [&](const FillPath& run) { return withoutDots({run}, kRunBead).size() == 1; };
+  EXPECT_FALSE(stays(line(PathRole::Infill, 0.79)));
+  EXPECT_TRUE(stays(line(PathRole::Infill, 0.81)));
+  for (const PathRole role : {PathRole::InnerWall, PathRole::GapFill, PathRole::Skin}) {
+    EXPECT_FALSE(stays(line(role, 0.39))) << static_cast<int>(role);
+    EXPECT_TRUE(stays(line(role, 0.41))) << static_cast<int>(role);
+  }
+  for (const PathRole role :
+       {PathRole::OuterWall, PathRole::TopSkin, PathRole::BottomSkin, PathRole::Bridge, PathRole::Ironing})
+    EXPECT_TRUE(stays(line(role, 0.01))) << static_cast<int>(role) << " is seen";
+}
+
+TEST(RunPath, LeavesOutNoDropsAndNoLoopsAsLongAsABead) {
+  FillPath run{{{0, 0}, {0.15, 0}, {0, 0.1}}, false, PathRole::Skin, Deposit::Bead, {}};
+  EXPECT_TRUE(withoutDots({run}, kRunBead).empty()) << "0.15 mm and 0.18 mm";
+  run.is_closed = true;
+  EXPECT_EQ(withoutDots({run}, kRunBead).size(), 1U) << "0.1 mm more";
+  run = {{{0, 0}}, false, PathRole::Infill, Deposit::Drops, {}};
+  EXPECT_EQ(withoutDots({run}, kRunBead).size(), 1U);
+}
+
 TEST(RunPath, StaysBesideTheRunWithItsVolume) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);

@@ -174,6 +174,13 @@ class LayerPlanner {
     return std::move(areas.rest);
   }
 
+  /// Whether what would be no more than a dot is left open: a part that is open inside is none the weaker,
+  /// but for branches that grow from dots.
+  bool leavesDots() const {
+    return settings_.walls.count > 0 && !fill_.isSolid() && branches_ == nullptr &&
+           settings_.voids.refill == VoidRefill::None;
+  }
+
   bool bridgesInfill() const {
     return settings_.bridges.is_used && settings_.bridges.is_over_infill && cover_below_ != nullptr &&
            index_ > 0;
@@ -420,6 +427,7 @@ class LayerPlanner {
 
   /// @param area  over which travels need not be retracted
   void addFills(std::vector<FillPath> runs, const Regions& area, RunOrder order = RunOrder::Shortest) {
+    if (leavesDots()) runs = withoutDots(std::move(runs), settings_.bead.width_mm);
     for (const FillPath& run : inOrder(std::move(runs), order, nozzle_)) addFill(run, area);
   }
 

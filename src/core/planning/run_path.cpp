@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "planning/bridges/bridged_areas.hpp"
@@ -62,6 +63,30 @@ class MotionStretch {
   double bead_mm_;
 };
 
+/// Bead widths: a shorter run is a dot.
+double leastLength(PathRole role) {
+  switch (role) {
+    case PathRole::Infill:
+      return 2.0;
+    case PathRole::InnerWall:
+    case PathRole::GapFill:
+    case PathRole::Skin:
+      return 1.0;
+    default:
+      return 0.0;
+  }
+}
+
+bool isDot(const FillPath& run, double bead_mm) {
+  if (run.deposit == Deposit::Drops) return false;
+  const double least_mm = leastLength(run.role) * bead_mm;
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < run.points.size() && length_mm < least_mm; ++i)
+    length_mm += (run.points[i] - run.points[i - 1]).norm();
+  if (run.is_closed) length_mm += (run.points.front() - run.points.back()).norm();
+  return length_mm < least_mm;
+}
+
 }  // namespace
 
 FillPath withoutShortMotions(FillPath run, double bead_mm) {
@@ -78,6 +103,13 @@ FillPath withoutShortMotions(FillPath run, double bead_mm) {
   run.points = std::move(points);
   run.width_mm = std::move(width_mm);
   return run;
+}
+
+std::vector<FillPath> withoutDots(std::vector<FillPath> runs, double bead_mm) {
+  runs.erase(std::remove_if(runs.begin(), runs.end(),
+                            [bead_mm](const FillPath& run) { return isDot(run, bead_mm); }),
+             runs.end());
+  return runs;
 }
 
 AlongPath<Bead> beadsOf(const std::vector<double>& width_mm, double area_per_width, double height_mm) {

@@ -16,6 +16,12 @@ namespace lamina {
 /// @param bead_mm  width of a nominal bead
 FillPath withoutShortMotions(FillPath run, double bead_mm);
 
+/// The runs without those that fill no more than a dot inside the part: reached by a travel, they deposit
+/// less than the nozzle oozes on the way. Sparse infill shorter than two bead widths, and skins, inner walls
+/// and gap fills shorter than one. What is seen stays, and so do drops.
+/// @param bead_mm  width of a nominal bead
+std::vector<FillPath> withoutDots(std::vector<FillPath> runs, double bead_mm);
+
 /// The beads of a run by the widths of the strips that they fill [mm], one per waypoint.
 /// @param area_per_width  cross-section of a bead over that width [mm]: the layer height, unless
 /// `bead.pitch_mm` is set
