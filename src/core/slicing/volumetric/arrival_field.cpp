@@ -3,6 +3,7 @@
 #include "slicing/volumetric/arrival_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -14,6 +15,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-12;
 // Of a cell: by so little later than level growth, bits being steps, is level.
+constexpr double kPull = 1e-6;  // of the pull on a turn: less along an axis is none
 constexpr std::size_t kReportEvery = 4096;
 
 /// Where the straight end of a way begins.
@@ -39,6 +41,40 @@ double squaredDistance(double from, double low, double high) {
   const double beside = from - std::clamp(from, low, high);
   return beside * beside;
 }
+
+/// A corner of bits of a cell, counted in bits from the cell's own.
+struct BitCorner {
+  int x = 0;
+  int y = 0;
+  int z = 0;
+  std::uint64_t around = 0;  // the bits of the cell that it is a corner of
+  bool is_within = false;    // these are all that there are
+};
+
+constexpr int kCornersAlong = CellGraph::kBits + 1;
+
+constexpr std::array<BitCorner, kCornersAlong * kCornersAlong * kCornersAlong> bitCorners() {
+  std::array<BitCorner, kCornersAlong * kCornersAlong * kCornersAlong> corners{};
+  for (int number = 0; number < kCornersAlong * kCornersAlong * kCornersAlong; ++number) {
+    BitCorner& corner = corners[static_cast<std::size_t>(number)];
+    corner.x = number % kCornersAlong;
+    corner.y = number / kCornersAlong % kCornersAlong;
+    corner.z = number / kCornersAlong / kCornersAlong;
+    int count = 0;
+    for (int bit = 0; bit < 64; ++bit) {
+      const int x = corner.x - bit % 4;
+      const int y = corner.y - bit / 4 % 4;
+      const int z = corner.z - bit / 16;
+      if (x < 0 || x > 1 || y < 0 || y > 1 || z < 0 || z > 1) continue;
+      corner.around |= std::uint64_t{1} << bit;
+      ++count;
+    }
+    corner.is_within = count == 8;
+  }
+  return corners;
+}
+
+constexpr auto kCorners = bitCorners();
 
 class GrowthMarch {
  public:
@@ -157,27 +193,55 @@ class GrowthMarch {
     return isBetter(offer, best_[node]) || is_shaded_[node] != 0 ? overBed(node, offer) : WayOffer{};
   }
 
-  /// The way to a node that turns at a linked one: at the corner of its bits that makes it shortest.
-  WayOffer turnedAt(std::uint32_t by, std::uint32_t node) const {
-    const Point3& middle = cells_.middle(by);
+  /// The way to a node that turns at a linked one: at the corner of its bits that makes it shortest, of those
+  /// that hold it and that it leads to and from within the part.
+  WayOffer turnedAt(std::uint32_t by, std::uint32_t node) {
+    const WayOffer middle = from(node, {cells_.middle(by), best_[by].growth_mm, CellGraph::kNone});
+    if (middle.growth_mm > best_[node].growth_mm + 2.0 * cells_.frame().voxel_mm) return {};
+    findCorners(by, node, isBetter(middle, best_[node]) ? middle : best_[node]);
+    const Point3& before = best_[by].turn.at;
+    const NodePlace end{node, cells_.middle(node)};
+    for (const WayOffer& corner : corners_) {
+      const Point3& at = corner.turn.at;
+      if (isHeld(before, at, end.at) && cells_.isClear(end, at) && cells_.isClear({by, at}, before))
+        return corner;
+    }
+    return middle;
+  }
+
+  /// Whether a way that turns at a corner of bits is held there: it would be shorter only beside the part.
+  bool isHeld(const Point3& before, const Point3& at, const Point3& after) const {
+    const Point3 pull = gauge_.gradient(after - at) - gauge_.gradient(at - before);
+    const double least = kPull * pull.cwiseAbs().maxCoeff();
+    for (int octant = 0; octant < 8; ++octant) {
+      Point3 beside = at;
+      bool is_pulled_there = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double side = (octant >> axis & 1) != 0 ? 1.0 : -1.0;
+        beside[axis] += side * 0.5 * cells_.bitSide();
+        is_pulled_there = is_pulled_there && side * pull[axis] >= -least;
+      }
+      if (is_pulled_there && cells_.nodeAt(beside) != CellGraph::kNone) return false;
+    }
+    return true;
+  }
+
+  /// Ways to a node that turn at corners of the bits of a linked one, where these may be edges of the part:
+  /// those that are better than one that is known, the best first.
+  void findCorners(std::uint32_t by, std::uint32_t node, const WayOffer& known) {
     const WayTurn& before = best_[by].turn;
-    const Point3 slope = gauge_.gradient(middle - before.at);
-    WayOffer best = from(node, {middle, best_[by].growth_mm, CellGraph::kNone});
-    if (best.growth_mm > best_[node].growth_mm + 2.0 * cells_.frame().voxel_mm) return {};
-    const double bit = cells_.bitSide();
     const Point3 corner = cells_.corner(by);
-    for (std::uint64_t rest = cells_.bits(by); rest != 0; rest &= rest - 1) {
-      int number = 0;
-      while ((rest >> number & 1U) == 0) ++number;
-      Point3 at = corner + bit * Eigen::Vector3i(number % 4, number / 4 % 4, number / 16).cast<double>();
-      const Point3 onwards = gauge_.gradient(cells_.middle(node) - at - Point3::Constant(0.5 * bit));
-      for (int axis = 0; axis < 3; ++axis)
-        if (onwards[axis] > slope[axis]) at[axis] += bit;
+    const std::uint64_t bits = cells_.bits(by);
+    corners_.clear();
+    for (const BitCorner& place : kCorners) {
+      const std::uint64_t solid = bits & place.around;
+      if (solid == 0 || (solid == place.around && place.is_within)) continue;
+      const Point3 at = corner + cells_.bitSide() * Point3(place.x, place.y, place.z);
       const double growth = before.growth_mm + gauge_.cost(at - before.at);
       const WayOffer offer = from(node, {at, growth, CellGraph::kNone});
-      if (isBetter(offer, best)) best = offer;
+      if (isBetter(offer, known)) corners_.push_back(offer);
     }
-    return best;
+    std::sort(corners_.begin(), corners_.end(), isBetter);
   }
 
   void take(std::uint32_t node, const WayOffer& offer) {
@@ -192,7 +256,7 @@ class GrowthMarch {
     tried_[node] = CellGraph::kNone;
     const WayOffer offer = onwards(by, node);
     if (!isBetter(offer, best_[node])) return;  // nor is one that turns
-    take(node, cells_.isClear(node, offer.turn.at) ? offer : turnedAt(by, node));
+    take(node, cells_.isClear({node, cells_.middle(node)}, offer.turn.at) ? offer : turnedAt(by, node));
   }
 
   /// Whether the straight end of a node's way is in the part. Level growth above level growth is.
@@ -204,7 +268,7 @@ class GrowthMarch {
         const Point3 way = cells_.middle(node) - cells_.middle(below);
         if (way.z() > 0.0 && gauge_.cost(way) <= way.z() + kSame) return true;
       }
-    return cells_.isClear(node, best_[node].turn.at);
+    return cells_.isClear({node, cells_.middle(node)}, best_[node].turn.at);
   }
 
   /// A node from which the turn of its way is not seen: from now on what it is offered is looked at.
@@ -246,6 +310,7 @@ class GrowthMarch {
   std::vector<char> is_settled_;
   std::vector<char> is_checked_;  // its way is known to be in the part
   std::vector<char> is_shaded_;
+  std::vector<WayOffer> corners_;  // of the node at which a way may turn
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;
 };
 

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint64_t kLowX = 0x1111111111111111;
 constexpr std::uint64_t kLowY = 0x000F000F000F000F;
 constexpr std::uint64_t kLowZ = 0x000000000000FFFF;
+constexpr double kStepBits = 1.0;                 // along a line that is looked along
 constexpr std::int64_t kMostCells = 400'000'000;  // of the box around the part
 
 /// Bits of a cell's side, and how far it is to the opposite one.
@@ -249,12 +250,12 @@ std::uint32_t CellGraph::stepTo(std::uint32_t from, const Point3& point) const {
   return kNone;
 }
 
-bool CellGraph::isClear(std::uint32_t node, const Point3& to) const {
-  const Point3 from = middle_[node];
-  const int steps = static_cast<int>(std::ceil((to - from).norm() / (2.0 * bitSide())));
-  std::uint32_t at = node;
+bool CellGraph::isClear(const NodePlace& from, const Point3& to) const {
+  const Point3 way = to - from.at;
+  const int steps = static_cast<int>(std::ceil(way.norm() / (kStepBits * bitSide())));
+  std::uint32_t at = from.node;
   for (int step = 1; step < steps; ++step) {
-    at = stepTo(at, from + (to - from) * (static_cast<double>(step) / steps));
+    at = stepTo(at, from.at + way * (static_cast<double>(step) / steps));
     if (at == kNone) return false;
   }
   return true;

@@ -21,6 +21,12 @@ struct NumberRange {
   std::size_t size() const { return static_cast<std::size_t>(last - first); }
 };
 
+/// A place in a node of a `CellGraph`, or on the surface of its bits.
+struct NodePlace {
+  std::uint32_t node = 0;
+  Point3 at = Point3::Zero();
+};
+
 /// A part in cubic cells of 4 x 4 x 4 bits, each bit solid if its middle is inside the part. A connected set
 /// of bits of a cell, connected by their faces, is a node; most cells have one node. Nodes of neighbouring
 /// cells (26 neighbours) are linked if their bits touch, or if touching nodes in cells of a common block of 2
@@ -62,8 +68,8 @@ class CellGraph {
   /// The node that contains the bit (i, j, k), counted through all cells; `kNone` if that bit is not solid.
   std::uint32_t nodeOfBit(int i, int j, int k) const;
   std::uint32_t nodeAt(const Point3& point) const;
-  /// Whether the straight line from the middle of a node to a point stays in the part, to within a bit.
-  bool isClear(std::uint32_t node, const Point3& to) const;
+  /// Whether the straight line from a place in a node to a point stays in the part, to within half a bit.
+  bool isClear(const NodePlace& from, const Point3& to) const;
 
  private:
   std::array<int, 3> placeOf(std::uint32_t cell) const;
