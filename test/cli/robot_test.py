@@ -6,6 +6,7 @@
 """
 import json
 import os
+import re
 import tempfile
 import unittest
 
@@ -43,6 +44,19 @@ class Robot(unittest.TestCase):
             self.assertEqual([joint["name"] for joint in report["joints"]], [f"axis_{i}" for i in range(1, 7)])
             self.assertAlmostEqual(report["joints"][0]["speed"], 120.0)
             self.assertTrue(os.path.exists(written))
+            self.assertEqual(report["built_in"], [])
+            self.lists_what_is_built_in(urdf)
+
+    def lists_what_is_built_in(self, urdf):
+        """A flange within the fork of link 4, whatever the joints between them."""
+        with open(urdf, encoding="utf-8") as file:
+            text = file.read()
+        for link, shape in (("link_4", '<box size="0.5 0.5 0.5"/>'), ("link_6", '<sphere radius="0.02"/>')):
+            text = re.sub(f'<link name="{link}" ?/>', f'<link name="{link}"><collision><geometry>{shape}</geometry></collision></link>', text)
+        with open(urdf, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.assertEqual(json.loads(lamina("robot", urdf, "--json").stdout)["built_in"], [["link_4", "link_6"]])
+        self.assertIn("unchecked  link_4 against link_6, built into each other\n", lamina("robot", urdf).stdout)
 
     def test_an_arm_of_seven_axes_runs_a_toolpath_and_no_program(self):
         arm = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "robots", "seven_axis_arm.urdf")

@@ -6,10 +6,16 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/kinematics/description_files/cell_description.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
+#include "lamina/verification/collision/checked_bodies.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -20,12 +26,25 @@ struct RobotArguments {
   std::string written;
 };
 
+/// Summary of a description, with links that are built into each other, which take FCL to be found.
+struct Reported {
+  RobotReport report;
+  std::vector<std::pair<std::string, std::string>> built_in;
+};
+
+Reported reportedRobot(const std::string& urdf) {
+  RobotReport report = robotReport(urdf);
+  const auto model = kinematicModelFromUrdf(withBedAndNozzle(urdf));
+  return {std::move(report), builtInLinks(*model, linkBodies(model->urdf()))};
+}
+
 /// As people read it: degrees for what turns.
 double shownValue(const DrivenJoint& joint, double value) {
   return joint.kind == JointKind::Linear ? value : toDegrees(value);
 }
 
-void printRobot(const RobotReport& report) {
+void printRobot(const Reported& robot) {
+  const RobotReport& report = robot.report;
   const Eigen::Isometry3d& zero = report.base_from_flange_at_zero;
   const Eigen::Quaterniond turn(zero.linear());
   std::printf("robot      %s\n", report.name.c_str());
@@ -48,10 +67,13 @@ void printRobot(const RobotReport& report) {
         : std::printf("body       %s: %s\n", body.link.c_str(), body.shape.c_str());
   for (const auto& [one, other] : report.unchecked)
     std::printf("unchecked  %s against %s\n", one.c_str(), other.c_str());
+  for (const auto& [one, other] : robot.built_in)
+    std::printf("unchecked  %s against %s, built into each other\n", one.c_str(), other.c_str());
   for (const std::string& trap : report.traps) std::printf("note       %s\n", trap.c_str());
 }
 
-void printRobotJson(const RobotReport& report) {
+void printRobotJson(const Reported& robot) {
+  const RobotReport& report = robot.report;
   const Eigen::Isometry3d& zero = report.base_from_flange_at_zero;
   const Eigen::Quaterniond turn(zero.linear());
   nlohmann::ordered_json joints = nlohmann::json::array();
@@ -75,6 +97,7 @@ void printRobotJson(const RobotReport& report) {
       {"joints", joints},
       {"bodies", bodies},
       {"unchecked", report.unchecked},
+      {"built_in", robot.built_in},
       {"traps", report.traps},
   };
   std::printf("%s\n", json.dump(2).c_str());
@@ -92,7 +115,7 @@ void addRobot(CLI::App& app, Chosen& chosen) {
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] {
       const std::string urdf = readMachineDescription(arguments->path);
-      const RobotReport report = robotReport(urdf);
+      const Reported report = reportedRobot(urdf);
       if (!arguments->written.empty()) writeFile(arguments->written, urdf);
       chosen.format == OutputFormat::Json ? printRobotJson(report) : printRobot(report);
     };

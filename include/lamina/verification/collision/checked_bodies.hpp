@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 
 namespace lamina {
 
-/// The solid pieces of a machine, of which links that are built into each other are ignored as well: links
-/// that meet with all joints at zero, or the limit nearest to it, and in more than 95 % of 200 poses that are
-/// always the same, as far as the machine has them. Meshes of makers do so that are convex hulls, as of the
-/// fork that holds the flange.
+/// Links that are built into each other: they meet with all joints at zero, or the limit nearest to it, and
+/// in more than 95 % of 200 poses that are always the same, as far as the machine has them. Meshes of makers
+/// do so that are convex hulls, as of the fork that holds the flange.
+/// @param bodies  as `linkBodies` returns them; links that these ignore are left out
+std::vector<std::pair<std::string, std::string>> builtInLinks(const KinematicModel& model,
+                                                              const LinkBodies& bodies);
+
+/// The solid pieces of a machine, of which links that are built into each other are ignored as well.
 /// @throws as `linkBodies`
 LinkBodies checkedBodies(const KinematicModel& model);
 

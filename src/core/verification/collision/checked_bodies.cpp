@@ -94,12 +94,12 @@ std::map<std::pair<std::string, std::string>, SolidPieces> collidingPieces(const
 
 }  // namespace
 
-LinkBodies checkedBodies(const KinematicModel& model) {
-  LinkBodies bodies = linkBodies(model.urdf());
-  const std::optional<PosesOfLinks> at_zero = posesAt(model, valuesNearestToZero(model));
-  if (!at_zero) return bodies;
-  std::vector<PosesOfLinks> poses;
+std::vector<std::pair<std::string, std::string>> builtInLinks(const KinematicModel& model,
+                                                              const LinkBodies& bodies) {
   std::vector<std::pair<std::string, std::string>> built;
+  const std::optional<PosesOfLinks> at_zero = posesAt(model, valuesNearestToZero(model));
+  if (!at_zero) return built;
+  std::vector<PosesOfLinks> poses;
   for (const auto& [links, pieces] : collidingPieces(bodies)) {
     if (!meetAt(pieces, *at_zero)) continue;
     if (poses.empty()) poses = sampledPoses(model);
@@ -108,6 +108,12 @@ LinkBodies checkedBodies(const KinematicModel& model) {
     if (static_cast<double>(meeting) > kBuiltShare * static_cast<double>(poses.size()))
       built.push_back(links);
   }
+  return built;
+}
+
+LinkBodies checkedBodies(const KinematicModel& model) {
+  LinkBodies bodies = linkBodies(model.urdf());
+  const auto built = builtInLinks(model, bodies);
   bodies.ignored.insert(bodies.ignored.end(), built.begin(), built.end());
   return bodies;
 }
