@@ -143,6 +143,18 @@ TEST(JointPathPlanner, NamesWhereARunWindsUpAHead) {
   ASSERT_EQ(path.faults.size(), 1U);
   EXPECT_EQ(path.faults[0].fault, JointFault::JointUnwinding);
   EXPECT_NE(path.faults[0].reason.find("joint c"), std::string::npos) << path.faults[0].reason;
+  EXPECT_NE(path.faults[0].reason.find("it turns by 600 deg there, of 562 deg"), std::string::npos)
+      << path.faults[0].reason;
+}
+
+TEST(JointPathPlanner, SaysFromWhereARunWouldNotWindUpAHead) {
+  // c goes from -90 to 410 deg, or back to -590; within 281 to either side it would go from -281 or -219.
+  const JointPath path = plan(toolpathOf({circle(0.0, 500.0)}), GantryHead(ToolAxisSpin::Free, 281.0));
+  ASSERT_EQ(path.faults.size(), 1U);
+  EXPECT_NE(path.faults[0].reason.find("it turns by 500 deg there, of 562 deg, and fits if it begins 129 deg "
+                                       "to 191 deg lower"),
+            std::string::npos)
+      << path.faults[0].reason;
 }
 
 TEST(JointPathPlanner, GoesStraightThroughTheSingularityOfAHead) {

@@ -77,6 +77,19 @@ TEST(JointUnwinding, NamesWhereARunIsTooLong) {
   ASSERT_FALSE(unwound.wound_up.empty());
   EXPECT_EQ(unwound.wound_up[0].index, 20U);
   EXPECT_EQ(unwound.wound_up[0].joint, 0U);
+  EXPECT_NEAR(unwound.wound_up[0].lowest, 0.0, 1e-9);
+  EXPECT_NEAR(unwound.wound_up[0].highest, 720.0 * kJointUnwindingDegree, 1e-9);
+}
+
+TEST(JointUnwinding, NamesWhatALoopPassesThatBeginsTooLate) {
+  // From 40 to 400 deg, and on after a place to rewind: 200 deg is the limit.
+  Turning way;
+  for (int step = 0; step <= 40; ++step) way.add(40.0 + 10.0 * step, {step > 0, step == 37, 0.0});
+  const Unwound unwound = unwind(way.values, way.links, oneJoint(200.0));
+  ASSERT_EQ(unwound.wound_up.size(), 1U);
+  EXPECT_EQ(unwound.wound_up[0].index, 17U);
+  EXPECT_NEAR(unwound.wound_up[0].lowest, 40.0 * kJointUnwindingDegree, 1e-9);
+  EXPECT_NEAR(unwound.wound_up[0].highest, 400.0 * kJointUnwindingDegree, 1e-9);
 }
 
 TEST(JointUnwinding, KeepsEveryValueWithinItsLimitsAndChangesItByWholeTurnsOnly) {

@@ -3,7 +3,9 @@
 #include "lamina/kinematics/joint_path/joint_path_planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "kinematics/joint_path/joint_unwinding.hpp"
@@ -31,12 +33,29 @@ std::vector<WindLink> windLinks(const std::vector<StationJoints>& joints,
   return links;
 }
 
+/// How much of its limits a joint needs, and by how much it would have to begin elsewhere.
+std::string neededTurn(const WoundUp& at, const JointRange& range) {
+  const double needed = at.highest - at.lowest;
+  const double held = range.high - range.low;
+  const std::string text = "; it turns by " + angleText(needed) + " there, of " + angleText(held);
+  if (needed > held) return text;
+  double least = range.low - at.lowest;
+  double most = range.high - at.highest;
+  const double whole = 2.0 * M_PI * std::round((least + most) / (4.0 * M_PI));
+  least -= whole;
+  most -= whole;
+  return text + ", and fits if it begins " + angleText(std::min(std::abs(least), std::abs(most))) + " to " +
+         angleText(std::max(std::abs(least), std::abs(most))) + (most > 0.0 ? " higher" : " lower") +
+         " (another start of the loop, or the bed turned)";
+}
+
 StationFault woundUp(const WoundUp& at, const RungSolver& solver, const KinematicModel& model) {
   const JointRange& range = solver.ranges()[at.joint];
   return {at.index, JointFault::JointUnwinding,
           "joint " + model.joints()[at.joint].name + " runs out of its limits, " +
               jointValueText(range, range.low) + " to " + jointValueText(range, range.high) +
-              ", since the travel before, and would have to be wound back while depositing"};
+              ", since the travel before, and would have to be wound back while depositing" +
+              neededTurn(at, range)};
 }
 
 /// Whole turns for all stations; adds where they cannot be chosen.

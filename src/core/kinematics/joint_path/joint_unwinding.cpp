@@ -115,7 +115,7 @@ class Unwinder {
       const std::size_t tight = span_.tight();
       if (tight == kNone) continue;
       if (place == kNone) {
-        result_.wound_up.push_back({i, tight});
+        result_.wound_up.push_back(woundUp({begin, i, end}, tight));
         return i;
       }
       breaks.push_back(place);
@@ -125,6 +125,27 @@ class Unwinder {
       place = kNone;
     }
     return end;
+  }
+
+  struct Stretch {
+    std::size_t begin = 0;
+    std::size_t out = 0;  ///< where the joint runs out of its limits
+    std::size_t end = 0;
+  };
+
+  WoundUp woundUp(const Stretch& stretch, std::size_t joint) const {
+    const auto index = static_cast<Eigen::Index>(joint);
+    const double first = result_.values[stretch.begin][index];
+    WoundUp found{stretch.out, joint, first, first};
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+      if (i > stretch.out && links_[i].may_rewind) break;
+      found.lowest = std::min(found.lowest, result_.values[i][index]);
+      found.highest = std::max(found.highest, result_.values[i][index]);
+    }
+    const double onto = nearMiddle(ranges_[joint], first) - first;
+    found.lowest += onto;
+    found.highest += onto;
+    return found;
   }
 
   /// In the order of the motion.

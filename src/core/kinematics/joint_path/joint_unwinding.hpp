@@ -21,6 +21,10 @@ struct WindLink {
 struct WoundUp {
   std::size_t index = 0;
   std::size_t joint = 0;
+  /// What the joint passes from the place on where it could last be rewound until the next one [rad], counted
+  /// on over whole turns from a value within the limits.
+  double lowest = 0.0;
+  double highest = 0.0;
 };
 
 /// Joint values with the whole turns that keep them within the limits.
