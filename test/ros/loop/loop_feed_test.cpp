@@ -201,7 +201,8 @@ TEST(LoopFeed, TakesTheTimeOffsetOfEachSensor) {
   EXPECT_NEAR(both.layers[2].figures.rmse_mm, printed.layers[2].figures.rmse_mm, 0.002);
   wall.settings.calibration.other_time_offsets_s = {};
   const SeenTwice one = seenTwice(printed, wall.settings);
-  EXPECT_EQ(one.counts.without_offset, printed.clouds.size());
+  EXPECT_EQ(one.counts.without_offset, printed.clouds.size() - 1)
+      << "the first one came before the calibrated sensor's";
   EXPECT_EQ(one.counts.last_without_offset, "left");
   EXPECT_EQ(one.counts.received,
             one.counts.placed + one.counts.without_transform + one.counts.without_offset);
