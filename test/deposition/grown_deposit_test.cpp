@@ -160,6 +160,43 @@ TEST(GrownDeposit, OfALeaningWallReachesOutOverTheBeadBelow) {
   EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 9.4)), 0.9 * kLayer, 1e-9) << "of the first bead alone";
 }
 
+/// Of a stadium of 3 x 1.5 mm a fifth less is as high, and narrower by a fifth of its section over its
+/// height.
+TEST(GrownDeposit, OfAPressedProcessIsAsHighAsTheNozzleAndNarrower) {
+  const double section = kLayer * (kWidth - kLayer) + 0.25 * M_PI * kLayer * kLayer;
+  const double half_width = 0.5 * (kWidth - 0.2 * section / kLayer);  // 1.232
+  PlantSettings plant;
+  plant.pressed = true;
+  plant.gain = 0.8;
+  GrownDeposit deposit(bed(), plant, {kWidth});
+  for (int layer = 1; layer <= 2; ++layer) {
+    const double z = kLayer * layer;
+    deposit.lay({{10, 20, z}, {70, 20, z}, section * 60.0, 10.0 * layer, 10.0 * layer + 6.0});
+    deposit.endBead();
+  }
+  const auto at = [&](double across) { return deposit.surface().nearest(Point2(40.1, 20.0 + across)); };
+  EXPECT_NEAR(at(0.1), 2.0 * kLayer, 1e-9);
+  EXPECT_NEAR(at(-0.1), 2.0 * kLayer, 1e-9);
+  EXPECT_EQ(at(half_width + 0.15), 0.0);
+  EXPECT_GT(at(half_width - 0.15), kLayer);
+}
+
+/// What heat is left after ten seconds lets the second layer settle.
+TEST(GrownDeposit, OfAPressedProcessSettles) {
+  PlantSettings plant;
+  plant.pressed = true;
+  plant.thermal = 0.1;
+  plant.z_error_mm = 0.2;
+  GrownDeposit deposit(bed(), plant, {kWidth});
+  for (int layer = 1; layer <= 2; ++layer) {
+    const double z = kLayer * layer;
+    deposit.lay({{10, 20, z}, {70, 20, z}, 2.0 * kWidth * kLayer * 60.0, 10.0 * layer, 10.0 * layer + 6.0});
+    deposit.endBead();
+  }
+  const double settled = 0.1 * std::exp(-10.0 / 60.0) * (1.0 - std::exp(-10.0 / 20.0)) * kLayer;
+  EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 20.1)), 2.0 * kLayer + 0.2 - settled, 1e-9);
+}
+
 TEST(GrownDeposit, AddsUpWhereBeadsOfALayerCross) {
   GrownDeposit deposit(bed(), PlantSettings(), {});
   deposit.lay({{10, 20, kLayer}, {70, 20, kLayer}, kWidth * kLayer * 60.0, 0.0, 6.0});

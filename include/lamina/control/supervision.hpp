@@ -94,11 +94,18 @@ struct SensorWatch {
   double blind_s = 0.0;             ///< time since the last cloud with a known pose of the nozzle
   double variance_mm2 = 1.0;        ///< variance of points between profiles taken while the sensor moves
   int profiles = 0;                 ///< number of profiles in a row of which the variance is
+  std::string sensor = {};          ///< name of the sensor that they are of; empty if it has none
+  bool is_seen_otherwise = false;   ///< whether another sensor measures, in this layer or the one before
   double time_offset_s = 0.0;       ///< observed less calibrated time offset
   double time_offset_sigmas = 0.0;  ///< magnitude of `time_offset_s` in standard deviations
   double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
-/// Judges what the sensor does; without effect while the loop is off or blocked.
+
+/// Whether such profiles are those of a stuck sensor.
+bool isStuck(int profiles, double variance_mm2);
+
+/// Judges what the sensor does. A stuck sensor is a warning if another one measures. Without effect while the
+/// loop is off or blocked.
 LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const LoopSettings& settings);
 
 /// Judges a layer that is done; without effect while the loop is off or blocked.

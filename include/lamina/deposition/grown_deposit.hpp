@@ -34,8 +34,13 @@ struct GrownPiece {
 /// Deposits beads into a height map in the way in which a `GrowthPlant` lets them grow: upwards by volume
 /// over width from what is below, and not up to the nozzle. Layers and beads are recognised by the motions
 /// alone. A bead ends where the next motion does not continue it; a layer ends where the nozzle is higher by
-/// half of the first layer. The planned height of all layers is taken to be that of the first one, and the
-/// cross-section of planned height and width counts as commanded without correction.
+/// half of the first layer. The planned height of all layers is taken to be that of the first bead above the
+/// ground at its start, and the cross-section of planned height and width counts as commanded without
+/// correction.
+///
+/// Of a pressed process (`PlantSettings::pressed`) the nozzle makes the top: the section of a bead is a
+/// stadium between the ground under its middle and the nozzle, as wide as its volume, and settles after that.
+/// Stand-off, levelling, an offset along the bead and detached pieces have no effect on it.
 ///
 /// A bead has one height across its width: where it reaches beyond what it stands on, it bridges the gap.
 /// Where a bead crosses an earlier one of its own layer, the earlier one grows further.
@@ -58,6 +63,8 @@ class GrownDeposit {
   const HeightMap& surface() const { return surface_; }
   /// Greatest height of the surface [mm].
   double highest() const { return highest_; }
+  /// Whether something was deposited on a cell of the surface.
+  bool isDeposited(std::size_t cell) const { return deposited_in_[cell] > 0; }
 
  private:
   /// Positions along a bead, and what is commanded there.
@@ -74,18 +81,22 @@ class GrownDeposit {
     double distance_mm = 0.0;
   };
 
-  void beginLayer(double z_mm, double start_s);
+  void beginLayer(const Point3& at, double start_s);
   Stations stationsOfBead() const;
   std::vector<double> arrivedSections(const Stations& stations);
   std::vector<CoveredCell> coveredCells(const Stations& stations, double width_mm) const;
   std::vector<double> groundUnder(const std::vector<CoveredCell>& covered, std::size_t stations) const;
   bool isOfLayer(std::size_t cell) const { return deposited_in_[cell] == layer_ + 1; }
+  PlantBead beadOf(const Stations& stations) const;
   void grow(const Stations& stations, const std::vector<double>& sections, double width_mm);
+  void press(const Stations& stations, const std::vector<double>& sections, double width_mm);
+  void raise(std::size_t cell, double height_mm);
 
   HeightMap surface_;
   GrowthPlant plant_;
   GrownDepositSettings settings_;
   double highest_;
+  double lowest_;                            ///< height of the lowest ground [mm]
   std::vector<std::uint32_t> deposited_in_;  ///< layer of each cell, from 1; 0 where nothing was deposited
   std::vector<GrownPiece> bead_;
   std::size_t layer_ = 0;

@@ -12,6 +12,7 @@ namespace lamina {
 
 /// Deviations of an emulated process from the commanded growth. With the defaults there are none.
 struct PlantSettings {
+  bool pressed = false;    ///< whether the nozzle makes the top of a bead (`GrownDeposit`)
   double gain = 1.0;       ///< growth over commanded growth, at the start of the job
   double wear = 0.0;       ///< share of the gain that is lost over the job
   double end_loss = 0.0;   ///< share of the growth that is lost at the ends of beads
@@ -75,13 +76,16 @@ class GrowthPlant {
   /// Growth over commanded growth at a position on a bead: gain, wear, clog, ends and wave, without the
   /// random part.
   double gainAt(const PlantBead& bead, double along_mm) const;
+  /// The random part of growth at a position on a bead, in layer heights.
+  double randomAt(const PlantBead& bead, double along_mm) const;
+  /// Share of a layer's height by which it settles.
+  double settling(const PlantBead& bead) const;
+  /// How much higher the nozzle is than it should be [mm].
+  double nozzleAbove() const;
 
   const PlantSettings& settings() const { return settings_; }
 
  private:
-  double randomAt(const PlantBead& bead, double along_mm) const;
-  double settling(const PlantBead& bead) const;
-
   PlantSettings settings_;
 };
 

@@ -143,7 +143,18 @@ void judgeConsistency(LoopStep& step, const LayerFigures& figures) {
                         " times as expected; expected 0.5 to 2: the spread of growth is wrong");
 }
 
+std::string stuckReason(const SensorWatch& watch) {
+  return std::to_string(watch.profiles) + " profiles" +
+         (watch.sensor.empty() ? "" : " of sensor '" + watch.sensor + "'") +
+         " are the same or no numbers, with a variance of " + value(watch.variance_mm2, " mm²") +
+         "; expected 1e-9 mm² at least while the nozzle moves";
+}
+
 }  // namespace
+
+bool isStuck(int profiles, double variance_mm2) {
+  return profiles >= kStuckProfiles && !(variance_mm2 >= kStuckVariance);
+}
 
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report) {
   LoopStatus next;
@@ -175,10 +186,11 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
              "; expected one every " + value(settings.silence_s, " s"));
-  if (watch.profiles >= kStuckProfiles && !(watch.variance_mm2 >= kStuckVariance))
-    lose(LoopAlarm::Stuck, CoastingFor::Sight,
-         std::to_string(watch.profiles) + " profiles are the same or no numbers, with a variance of " +
-             value(watch.variance_mm2, " mm²") + "; expected 1e-9 mm² at least while the nozzle moves");
+  if (isStuck(watch.profiles, watch.variance_mm2) && watch.is_seen_otherwise)
+    raise(step, LoopAlarm::Stuck, LoopReaction::Warn,
+          stuckReason(watch) + "; its clouds are left out, those of the others count");
+  else if (isStuck(watch.profiles, watch.variance_mm2))
+    lose(LoopAlarm::Stuck, CoastingFor::Sight, stuckReason(watch));
   if (watch.time_offset_sigmas > kOffsetSigmas)
     lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset,
          "the sensor's time offset has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +

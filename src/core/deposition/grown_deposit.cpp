@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "deposition/bead_section.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double kStation = 0.5;        // mm
 constexpr double kJoined = 1e-3;        // mm: above the rounding of programs
 constexpr double kRemembered = 10.0;    // time constants of the feeder
+constexpr double kMiddle = 0.25;        // of a bead's width, which the nozzle is over
 constexpr double kLeastPlanned = 1e-3;  // mm: a nozzle that rubs on the bed plans no layer
 
 double lengthOf(const GrownPiece& piece) { return (piece.end - piece.start).norm(); }
@@ -79,6 +81,7 @@ GrownDeposit::GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDep
       plant_(std::move(plant)),
       settings_(settings),
       highest_(heightRange(surface_).high),
+      lowest_(heightRange(surface_).low),
       deposited_in_(surface_.grid().cellCount(), 0) {
   if (settings_.bead_width_mm > 0.0) width_mm_ = settings_.bead_width_mm;
 }
@@ -94,7 +97,7 @@ void GrownDeposit::endBead() {
   if (bead_.empty()) return;
   const double z = bead_.front().start.z();
   const bool is_first = planned_mm_ == 0.0;
-  if (is_first || z > layer_z_mm_ + 0.5 * planned_mm_) beginLayer(z, bead_.front().start_s);
+  if (is_first || z > layer_z_mm_ + 0.5 * planned_mm_) beginLayer(bead_.front().start, bead_.front().start_s);
   const Stations stations = stationsOfBead();
   if (!width_mm_) {
     double volume = 0.0;
@@ -102,19 +105,23 @@ void GrownDeposit::endBead() {
     width_mm_ = volume / stations.length_mm / planned_mm_;
   }
   const std::vector<double> sections = arrivedSections(stations);
-  grow(stations, sections, *width_mm_);
+  if (plant_.settings().pressed)
+    press(stations, sections, *width_mm_);
+  else
+    grow(stations, sections, *width_mm_);
   bead_.clear();
   ++beads_;
 }
 
-void GrownDeposit::beginLayer(double z_mm, double start_s) {
+void GrownDeposit::beginLayer(const Point3& at, double start_s) {
   if (planned_mm_ == 0.0) {
-    planned_mm_ = std::max(kLeastPlanned, z_mm - heightRange(surface_).low);
+    const double ground = surface_.nearest(at.head<2>());
+    planned_mm_ = std::max(kLeastPlanned, at.z() - (std::isfinite(ground) ? ground : lowest_));
   } else {
     ++layer_;
     layer_s_ = start_s - layer_start_s_;
   }
-  layer_z_mm_ = z_mm;
+  layer_z_mm_ = at.z();
   layer_start_s_ = start_s;
   beads_ = 0;
 }
@@ -213,10 +220,9 @@ std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& co
   return sum;
 }
 
-void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sections, double width_mm) {
+/// The bead as planned, without its correction and what it stands on.
+PlantBead GrownDeposit::beadOf(const Stations& stations) const {
   const std::size_t count = stations.place.size();
-  const std::vector<CoveredCell> covered = coveredCells(stations, width_mm);
-  const std::vector<double> ground = groundUnder(covered, count);
   PlantBead bead;
   bead.layer = layer_;
   bead.layers = static_cast<std::size_t>(settings_.layers);
@@ -224,19 +230,61 @@ void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sec
   bead.length_mm = stations.length_mm;
   bead.is_closed = isClosed(bead_);
   bead.layer_s = layer_s_;
-  for (std::size_t i = 0; i < count; ++i) {
+  bead.planned_mm.assign(count, planned_mm_);
+  bead.along_mm.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
     bead.along_mm.push_back((static_cast<double>(i) + 0.5) * stations.length_mm / static_cast<double>(count));
-    bead.planned_mm.push_back(planned_mm_);
+  return bead;
+}
+
+void GrownDeposit::raise(std::size_t cell, double height_mm) {
+  surface_.set(cell, height_mm);
+  deposited_in_[cell] = static_cast<std::uint32_t>(layer_ + 1);
+  highest_ = std::max(highest_, height_mm);
+}
+
+void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sections, double width_mm) {
+  const std::size_t count = stations.place.size();
+  const std::vector<CoveredCell> covered = coveredCells(stations, width_mm);
+  const std::vector<double> ground = groundUnder(covered, count);
+  PlantBead bead = beadOf(stations);
+  bead.correction.reserve(count);
+  bead.nozzle_far_mm.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
     bead.correction.push_back(sections[i] / (width_mm * planned_mm_) - 1.0);
     bead.nozzle_far_mm.push_back(stations.place[i].z() - planned_mm_ - ground[i]);
   }
   const std::vector<double> after = plant_.afterBead(bead, ground);
   for (const CoveredCell& each : covered) {
     const double onto = isOfLayer(each.cell) ? surface_.at(each.cell) : ground[each.station];
-    const double height = std::max(0.0, onto + after[each.station] - ground[each.station]);
-    surface_.set(each.cell, height);
-    deposited_in_[each.cell] = static_cast<std::uint32_t>(layer_ + 1);
-    highest_ = std::max(highest_, height);
+    raise(each.cell, std::max(lowest_, onto + after[each.station] - ground[each.station]));
+  }
+}
+
+/// Too little material lies on the ground, lower than the nozzle; where the nozzle is at the ground, nothing
+/// comes out.
+void GrownDeposit::press(const Stations& stations, const std::vector<double>& sections, double width_mm) {
+  const std::size_t count = stations.place.size();
+  const std::vector<double> ground = groundUnder(coveredCells(stations, kMiddle * width_mm), count);
+  const PlantBead bead = beadOf(stations);
+  const double settled_mm = plant_.settling(bead) * planned_mm_;
+  std::vector<BeadSection> pressed(count);
+  double widest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double room_mm = stations.place[i].z() + plant_.nozzleAbove() - ground[i];
+    const double along = bead.along_mm[i];
+    const double arrived = plant_.gainAt(bead, along) + plant_.randomAt(bead, along);
+    const double area = sections[i] * std::max(0.0, arrived);
+    if (!(room_mm > 0.0) || area == 0.0) continue;
+    pressed[i] = {widthOnFlatGround(area, room_mm), std::min(room_mm, discDiameter(area)),
+                  surface_.grid().cell_mm};
+    widest = std::max(widest, pressed[i].width_mm);
+  }
+  for (const CoveredCell& each : coveredCells(stations, widest)) {
+    const BeadSection& section = pressed[each.station];
+    if (each.distance_mm > 0.5 * section.width_mm) continue;
+    const double height = ground[each.station] + topAbove(section, each.distance_mm) - settled_mm;
+    if (height > surface_.at(each.cell)) raise(each.cell, height);
   }
 }
 

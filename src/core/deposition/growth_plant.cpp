@@ -51,6 +51,8 @@ std::vector<double> levelled(const std::vector<double>& heights, const PlantBead
 }  // namespace
 
 void describe(SettingsSchema& schema, PlantSettings& settings) {
+  schema.flag("plant.pressed", settings.pressed,
+              "Whether the nozzle makes the top of beads, of which what lacks is missing at the sides.");
   schema.number("plant.gain", settings.gain, {0.05, 5.0}, "Growth over commanded growth at the start.");
   schema.number("plant.dead_time_s", settings.dead_time_s, {0.0, 60.0}, "Dead time of the feeder.");
   schema.number("plant.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
@@ -84,7 +86,8 @@ bool isDisturbed(const PlantSettings& settings) {
   const bool has_offset = std::any_of(settings.nozzle_offset_mm.begin(), settings.nozzle_offset_mm.end(),
                                       [](double offset) { return offset != 0.0; });
   const bool is_clogged = settings.clog_at_layer > 0 && settings.clog != 0.0;
-  return has_offset || is_clogged || settings.gain != 1.0 || settings.wear != 0.0 ||
+  const bool is_too_high = settings.pressed && settings.z_error_mm != 0.0;
+  return has_offset || is_clogged || is_too_high || settings.gain != 1.0 || settings.wear != 0.0 ||
          settings.end_loss != 0.0 || settings.wave != 0.0 || settings.random != 0.0 ||
          settings.standoff != 0.0 || settings.levelling_mm != 0.0 || settings.dead_time_s != 0.0 ||
          settings.lag_s != 0.0 || settings.thermal != 0.0 || settings.detach_at_layer > 0;
@@ -107,7 +110,13 @@ double correlatedNoise(std::uint64_t seed, double along_mm, double length_mm) {
   return sum / std::sqrt(squares);
 }
 
+double GrowthPlant::nozzleAbove() const {
+  const std::vector<double>& offset = settings_.nozzle_offset_mm;
+  return settings_.z_error_mm + (offset.size() == 3 ? offset[2] : 0.0);
+}
+
 double GrowthPlant::randomAt(const PlantBead& bead, double along_mm) const {
+  if (settings_.random == 0.0) return 0.0;
   const std::uint64_t seed =
       mixed(mixed(static_cast<std::uint64_t>(settings_.seed), bead.layer + 1), bead.path + 1);
   return settings_.random * correlatedNoise(seed, along_mm, settings_.random_mm);
@@ -140,7 +149,7 @@ double GrowthPlant::settling(const PlantBead& bead) const {
 std::vector<double> GrowthPlant::afterBead(const PlantBead& bead, std::vector<double> heights) const {
   const bool has_offset = settings_.nozzle_offset_mm.size() == 3;
   const double beside = has_offset ? settings_.nozzle_offset_mm[0] : 0.0;
-  const double above = settings_.z_error_mm + (has_offset ? settings_.nozzle_offset_mm[2] : 0.0);
+  const double above = nozzleAbove();
   const bool is_detached =
       settings_.detach_at_layer > 0 && bead.layer + 1 == static_cast<std::size_t>(settings_.detach_at_layer);
   const double settled = settling(bead);

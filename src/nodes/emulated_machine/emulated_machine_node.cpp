@@ -37,6 +37,7 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       bed_from_program_(programFromBed(machine_).inverse()),
       tool_axis_(toolAxisOf(machine_)),
       deposit_(bareBed(buildSpaceOf(machine_), tool_axis_, settings)),
+      surface_from_bed_(deposit_->bedFromSurface().inverse()),
       shown_(deposit_->surface().grid.area()),
       sensor_(settings.sensor) {
   EmulatedObserver observer;
@@ -116,8 +117,8 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
 
 void EmulatedMachineNode::lay(const ToolAxisMotion& motion, const MachineTimes& times) {
   const Point3& to = motion.end;
-  const bool is_shown =
-      (to.head<2>() - shown_.low).minCoeff() >= 0.0 && (shown_.high - to.head<2>()).minCoeff() > 0.0;
+  const Point2 at = (surface_from_bed_ * to).head<2>();
+  const bool is_shown = (at - shown_.low).minCoeff() >= 0.0 && (shown_.high - at).minCoeff() > 0.0;
   if (!is_shown)
     ROS_WARN_ONCE("material deposited at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown",
                   to.x(), to.y());
@@ -140,8 +141,10 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
 
 void EmulatedMachineNode::publishProfile(const MotionSample& sample, Blank blank) {
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
-  const auto points = sensor_.measure(deposit_->surface(), bed_from_nozzle * machine_.nozzle_from_sensor,
-                                      deposit_->highest(), sample.time_s);
+  const Eigen::Isometry3d surface_from_sensor(
+      (surface_from_bed_ * bed_from_nozzle * machine_.nozzle_from_sensor).matrix());
+  const auto points =
+      sensor_.measure(deposit_->surface(), surface_from_sensor, deposit_->highest(), sample.time_s);
   if (points.empty() && blank == Blank::LeftOut) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
   message.header.stamp = stampOf(sample.time_s + sensor_.stampError());

@@ -69,7 +69,8 @@ class EmulatedMachineNode {
   Eigen::Affine3d bed_from_program_;
   Eigen::Vector3d tool_axis_;  ///< [bed]
   std::unique_ptr<MachineDeposit> deposit_;
-  Box2 shown_;  ///< of the bed
+  Eigen::Isometry3d surface_from_bed_;
+  Box2 shown_;  ///< [frame of the deposit's surface]
   ProfileSensor sensor_;
   MotionQueue motions_;
   double last_end_s_ = -1.0;  ///< machine time of the last position

@@ -70,6 +70,7 @@ class HeightsOnBed : public MachineDeposit {
 
  protected:
   Deposit& deposit() { return deposit_; }
+  const Deposit& deposit() const { return deposit_; }
 
  private:
   Deposit deposit_;
@@ -92,12 +93,72 @@ class GrownOnBed final : public HeightsOnBed<GrownDeposit> {
   void endBead() override { deposit().endBead(); }
 };
 
-void requireUpright(const Eigen::Vector3d& tool_axis) {
+/// Heights along a tool axis that leans, over the bed, which leans the other way.
+class LeaningOnBed final : public HeightsOnBed<GrownDeposit> {
+ public:
+  LeaningOnBed(GrownDeposit deposit, const Eigen::Isometry3d& bed_from_surface)
+      : HeightsOnBed(std::move(deposit)),
+        bed_from_surface_(bed_from_surface),
+        surface_from_bed_(bed_from_surface.inverse()) {}
+  void lay(const ToolAxisMotion& motion, const MachineTimes& times) override {
+    deposit().lay({surface_from_bed_ * motion.start, surface_from_bed_ * motion.end, motion.volume_mm3,
+                   times.start_s, times.end_s});
+  }
+  void endBead() override { deposit().endBead(); }
+  Eigen::Isometry3d bedFromSurface() const override { return bed_from_surface_; }
+  std::vector<Point3> points() const override {
+    const HeightMap& heights = deposit().surface();
+    std::vector<Point3> points;
+    for (std::size_t cell = 0; cell < heights.grid().cellCount(); ++cell) {
+      if (!deposit().isDeposited(cell)) continue;
+      const Point2 centre = heights.grid().centre(cell);
+      points.push_back(bed_from_surface_ * Point3(centre.x(), centre.y(), heights.at(cell)));
+    }
+    return points;
+  }
+
+ private:
+  Eigen::Isometry3d bed_from_surface_;
+  Eigen::Isometry3d surface_from_bed_;
+};
+
+bool isUpright(const Eigen::Vector3d& tool_axis) {
   constexpr double kUpright = 1e-6;
-  if ((tool_axis + Eigen::Vector3d::UnitZ()).norm() <= kUpright) return;
-  throw InvalidConfig("plant.* is set on a machine whose tool axis leans by " +
-                      numberText(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
-                      " deg; expected an upright one, along which beads grow");
+  return (tool_axis + Eigen::Vector3d::UnitZ()).norm() <= kUpright;
+}
+
+/// What a machine shows of its bed, seen along a tool axis that leans.
+Box3 shownAlong(const Eigen::Matrix3d& surface_from_bed, const Box3& shown) {
+  Box3 seen;
+  seen.low = seen.high = surface_from_bed * shown.low;
+  for (unsigned corner = 1; corner < 8; ++corner) {
+    Point3 at = shown.low;
+    for (unsigned i = 0; i < 3; ++i)
+      if ((corner >> i) % 2 == 1) at[i] = shown.high[i];
+    seen.low = seen.low.cwiseMin(surface_from_bed * at);
+    seen.high = seen.high.cwiseMax(surface_from_bed * at);
+  }
+  return seen;
+}
+
+std::unique_ptr<MachineDeposit> leaningBed(const Box3& shown, const Eigen::Vector3d& tool_axis,
+                                           const EmulatedMachineSettings& settings) {
+  if (settings.plant.detach_at_layer > 0)
+    throw InvalidConfig("plant.detach_at_layer is " + std::to_string(settings.plant.detach_at_layer) +
+                        " on a machine whose tool axis leans by " +
+                        numberText(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
+                        " deg; expected 0, or an upright one");
+  const Eigen::Vector3d up = -tool_axis;
+  const Eigen::Isometry3d bed_from_surface(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up));
+  HeightMap bed =
+      bareHeights(shownAlong(bed_from_surface.linear().transpose(), shown), settings.deposit_cell_mm);
+  const Eigen::RowVector3d slope = bed_from_surface.linear().row(2);
+  for (std::size_t cell = 0; cell < bed.grid().cellCount(); ++cell) {
+    const Point2 centre = bed.grid().centre(cell);
+    bed.set(cell, -(slope[0] * centre.x() + slope[1] * centre.y()) / slope[2]);
+  }
+  return std::make_unique<LeaningOnBed>(GrownDeposit(std::move(bed), settings.plant, settings.grown),
+                                        bed_from_surface);
 }
 
 /// What the machine reaches over its bed; of a bed without end, `belt_mm`.
@@ -127,7 +188,7 @@ std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const Eigen::Vector3d&
   const Box3 shown = shownBed(std::move(space), settings.deposit_belt_mm);
   const double cell_mm = settings.deposit_cell_mm;
   if (isDisturbed(settings.plant)) {
-    requireUpright(tool_axis);
+    if (!isUpright(tool_axis)) return leaningBed(shown, tool_axis, settings);
     return std::make_unique<GrownOnBed>(
         GrownDeposit(bareHeights(shown, cell_mm), settings.plant, settings.grown));
   }

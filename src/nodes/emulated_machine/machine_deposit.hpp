@@ -31,16 +31,20 @@ class MachineDeposit {
   virtual void endBead() {}
   /// What a sensor above sees; valid while this lives.
   virtual HeightSource surface() const = 0;
+  /// The frame in which the surface has heights: that of the bed, unless beads grow another way than upwards.
+  virtual Eigen::Isometry3d bedFromSurface() const { return Eigen::Isometry3d::Identity(); }
   /// Largest height of the surface [mm].
   virtual double highest() const = 0;
-  /// Points of the surface where something lies [mm].
+  /// Points of the surface where something lies [mm, bed].
   virtual std::vector<Point3> points() const = 0;
 };
 
 /// Nothing yet, over the bed that the settings say is shown.
 /// @param tool_axis  of the machine, of unit length [bed]
 /// @throws InvalidInput if that has more cells than a map can have
-/// @throws InvalidConfig if the process is disturbed and the tool axis not upright, as growth is upwards
+/// Beads of a disturbed process grow against the tool axis.
+/// @throws InvalidConfig if pieces are to break off on a machine whose tool axis leans, which would have to
+///   fall
 std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const Eigen::Vector3d& tool_axis,
                                         const EmulatedMachineSettings& settings);
 

@@ -374,6 +374,8 @@ void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.add("clouds placed", feed.placed);
   status.add("clouds waiting for tf", feed.waiting);
   status.add("clouds without frame or stamp", feed.without_frame);
+  status.add("clouds of sensors without time offset", feed.without_offset);
+  status.add("last sensor without time offset", feed.last_without_offset);
   status.add("clouds malformed", feed.malformed);
   status.add("last malformed cloud", feed.last_fault);
   status.add("clouds without transform", feed.without_transform);

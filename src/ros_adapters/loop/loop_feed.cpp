@@ -27,10 +27,22 @@ double bytesOfCloud(const sensor_msgs::PointCloud2& cloud) {
 
 std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
 
+/// When a cloud of that stamp was taken; none where that is no time of tf, to which zero is the latest.
+std::optional<ros::Time> takenAt(const ros::Time& stamp, double offset_s) {
+  const std::int64_t taken = nanoseconds(stamp) - std::llround(1e9 * offset_s);
+  constexpr std::int64_t kGreatest = std::int64_t{std::numeric_limits<std::int32_t>::max()} * 1'000'000'000;
+  if (stamp.isZero() || taken <= 0 || taken > kGreatest) return std::nullopt;
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(taken));
+  return time;
+}
+
 }  // namespace
 
 LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
-    : settings_(settings), queue_bytes_(1e6 * queue_mb) {}
+    : settings_(settings),
+      queue_bytes_(1e6 * queue_mb),
+      other_offsets_s_(otherTimeOffsets(settings.calibration)) {}
 
 bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   if (run_) {
@@ -56,27 +68,35 @@ void LoopFeed::addFixed(const geometry_msgs::TransformStamped& transform, const 
   sequence_.addFixed(transform, authority);
 }
 
-/// When a cloud of that stamp was taken; none where that is no time of tf, to which zero is the latest.
-std::optional<ros::Time> LoopFeed::takenAt(const ros::Time& stamp) const {
-  const std::int64_t taken = nanoseconds(stamp) - std::llround(1e9 * settings_.calibration.time_offset_s);
-  constexpr std::int64_t kGreatest = std::int64_t{std::numeric_limits<std::int32_t>::max()} * 1'000'000'000;
-  if (stamp.isZero() || taken <= 0 || taken > kGreatest) return std::nullopt;
-  ros::Time time;
-  time.fromNSec(static_cast<std::uint64_t>(taken));
-  return time;
+/// By how much the stamps of a sensor are late; none if nobody said so.
+std::optional<double> LoopFeed::offsetOf(const std::string& frame) {
+  const auto other = other_offsets_s_.find(frame);
+  if (other != other_offsets_s_.end()) return other->second;
+  if (calibrated_frame_.empty() || frame == names::kSensorFrame) calibrated_frame_ = frame;
+  if (frame == calibrated_frame_) return settings_.calibration.time_offset_s;
+  return std::nullopt;
 }
 
 void LoopFeed::add(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   ++counts_.received;
-  const auto taken = takenAt(cloud->header.stamp);
-  if (cloud->header.frame_id.empty() || !taken) {
+  const std::string& frame = cloud->header.frame_id;
+  if (frame.empty() || cloud->header.stamp.isZero()) {
     ++counts_.without_frame;
     return;
   }
-  if (calibrated_frame_.empty() || cloud->header.frame_id == names::kSensorFrame)
-    calibrated_frame_ = cloud->header.frame_id;
+  const auto offset_s = offsetOf(frame);
+  if (!offset_s) {
+    ++counts_.without_offset;
+    counts_.last_without_offset = frame;
+    return;
+  }
+  const auto taken = takenAt(cloud->header.stamp, *offset_s);
+  if (!taken) {
+    ++counts_.without_frame;
+    return;
+  }
   ++counts_.waiting;
-  ++waiting_of_[cloud->header.frame_id];
+  ++waiting_of_[frame];
   waiting_bytes_ += bytesOfCloud(*cloud);
   waiting_.insert({*taken, cloud});
   while (waiting_bytes_ > queue_bytes_ && !waiting_.empty()) pushOutOldest();
@@ -117,7 +137,7 @@ void LoopFeed::followTime() {
 }
 
 void LoopFeed::hear(const ros::Time& stamp) {
-  const auto taken = takenAt(stamp);
+  const auto taken = takenAt(stamp, settings_.calibration.time_offset_s);
   if (!taken) return;
   // A single stamp far ahead, of a clock that is set or garbled, says nothing of tf.
   if (heard_before_) heard_ = std::min(*heard_before_, *taken);
@@ -168,6 +188,7 @@ void LoopFeed::request(LoopRequest request) {
 }
 
 void LoopFeed::recalibrate(const LoopRunSettings& settings) {
+  other_offsets_s_ = otherTimeOffsets(settings.calibration);
   settings_.calibration = settings.calibration;
   settings_.sight = settings.sight;
   settings_.loop = settings.loop;
@@ -211,7 +232,7 @@ bool LoopFeed::place(const ros::Time& taken, const sensor_msgs::PointCloud2& clo
   }
   if (isCalibrated(cloud)) *bed_from_sensor = *bed_from_sensor * *settings_.calibration.nozzle_from_sensor;
   try {
-    run_->see({nanoseconds(taken), *bed_from_sensor, profilesFromMessage(cloud)});
+    run_->see({nanoseconds(taken), *bed_from_sensor, profilesFromMessage(cloud), cloud.header.frame_id});
     ++counts_.placed;
   } catch (const InvalidInput& error) {
     counts_.last_fault = error.what();

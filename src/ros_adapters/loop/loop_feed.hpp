@@ -23,22 +23,27 @@ struct FeedCounts {
   std::uint64_t placed = 0;
   std::uint64_t waiting = 0;            ///< waiting for tf
   std::uint64_t without_frame = 0;      ///< without a frame or a time stamp
+  std::uint64_t without_offset = 0;     ///< of a further sensor whose time offset is not stated
   std::uint64_t malformed = 0;          ///< without the fields or bytes that a cloud needs
   std::uint64_t without_transform = 0;  ///< older than the first transform from tf
   std::uint64_t pushed_out = 0;  ///< removed from memory while waiting for tf, or because ROS time went back
   std::uint64_t of_former_print = 0;
-  std::string last_fault;  ///< fault of the last malformed cloud
+  std::string last_fault;           ///< fault of the last malformed cloud
+  std::string last_without_offset;  ///< frame of the last cloud without a time offset
 };
 
 /// Passes one print after the other to the loop, from messages in the order in which they arrive, in a node
 /// or from a bag. Both use this class, so that both give exactly the same maps. tf may be behind the clouds
 /// by any time, and ahead of them by 30 s. If ROS time goes back, the print continues in the new time.
 ///
-/// A calibrated place of the sensor holds for the clouds of frame `names::kSensorFrame`, or as long as none
-/// came, for those of the frame that came first. tf gives the place of all others.
+/// A calibrated place of the sensor and its time offset hold for the clouds of frame `names::kSensorFrame`,
+/// or as long as none came, for those of the frame that came first. tf gives the place of all others, whose
+/// time offsets are stated by frame (`sensor.other_time_offsets_s`); without one a cloud is left out, as it
+/// would be taken for one of another place.
 class LoopFeed {
  public:
   /// @param queue_mb  memory for clouds that wait for tf [1e6 bytes]
+  /// @throws InvalidConfig as `otherTimeOffsets`
   LoopFeed(const LoopRunSettings& settings, double queue_mb);
 
   /// Adds a toolpath. It begins a print, or is the plan that the loop offered last and continues the current
@@ -82,7 +87,7 @@ class LoopFeed {
  private:
   using Cloud = sensor_msgs::PointCloud2ConstPtr;
 
-  std::optional<ros::Time> takenAt(const ros::Time& stamp) const;
+  std::optional<double> offsetOf(const std::string& frame);
   bool isCalibrated(const sensor_msgs::PointCloud2& cloud) const;
   std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
   bool place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud);
@@ -96,7 +101,8 @@ class LoopFeed {
   double queue_bytes_;
   TransformSequence sequence_;
   std::multimap<ros::Time, Cloud> waiting_;  ///< by time stamp
-  std::string calibrated_frame_;  ///< of the sensor that a calibrated place is that of; empty before a cloud
+  std::string calibrated_frame_;  ///< of the sensor that the calibration is that of; empty before a cloud
+  std::map<std::string, double> other_offsets_s_;  ///< of further sensors, by frame
   std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;
   std::optional<ros::Time> heard_;         ///< to be reported once the transforms are passed on

@@ -25,6 +25,14 @@ Toolpath twoLayers() {
   return test::scannedWall(wall);
 }
 
+TEST(RunSettings, StateTheTimeOffsetsOfFurtherSensors) {
+  const LoopRunSettings settings = settingsWith({{"sensor.other_time_offsets_s", "{left: 0.07, right: -1}"}});
+  const std::map<std::string, double> expected = {{"left", 0.07}, {"right", -1.0}};
+  EXPECT_EQ(otherTimeOffsets(settings.calibration), expected);
+  const LoopRunSettings wrong = settingsWith({{"sensor.other_time_offsets_s", "{left: 61}"}});
+  EXPECT_THROW(otherTimeOffsets(wrong.calibration), InvalidConfig);
+}
+
 TEST(RunSettings, SayHowWellEverythingIsKnown) {
   const LoopCalibration known =
       calibrationFor(twoLayers(), settingsWith({{"sensor.time_offset_sigma_s", "0.3"},

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "lamina/base/error.hpp"
@@ -154,6 +155,41 @@ TEST(LoopRun, DropsTheCloudsOfAStuckSensor) {
     EXPECT_GT(printed.counts.clouds_stuck, 50U);
     for (const CorrectionMap& map : printed.maps) EXPECT_LT(std::abs(meanAmount(map)), 0.25) << map.layer;
   }
+}
+
+/// A second sensor that is stuck beside a live one says that each layer is as high as planned.
+TEST(LoopRun, DropsTheCloudsOfAStuckSensorBesideALiveOne) {
+  const SensedWallCase wall = wallCase();
+  const SensedWall printed = sensedWall(wall);
+  LoopRun run(printed.part, wall.settings);
+  const std::int64_t from_ns = printed.tips[printed.tips.size() / 2].stamp_ns;
+  std::size_t cloud = 0;
+  for (const StampedTip& tip : printed.tips) {
+    run.observe(tip);
+    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= tip.stamp_ns; ++cloud) {
+      run.see(printed.clouds[cloud]);
+      SensedCloud stuck = printed.clouds[cloud];
+      if (stuck.stamp_ns < from_ns) continue;
+      stuck.sensor = "left";
+      for (Point3& point : stuck.profiles[0]) point.z() = 65.0;
+      run.see(std::move(stuck));
+    }
+  }
+  run.finish();
+  const LoopNews news = run.takeNews();
+  std::vector<RaisedAlarm> stuck;
+  std::copy_if(news.alarms.begin(), news.alarms.end(), std::back_inserter(stuck),
+               [](const RaisedAlarm& each) { return each.alarm == LoopAlarm::Stuck; });
+  ASSERT_EQ(stuck.size(), 1U);
+  EXPECT_EQ(stuck[0].reaction, LoopReaction::Warn);
+  EXPECT_NE(stuck[0].reason.find("of sensor 'left'"), std::string::npos) << stuck[0].reason;
+  EXPECT_GT(run.counts().clouds_stuck, 200U);
+  ASSERT_EQ(news.layers.size(), wall.layers);
+  EXPECT_EQ(news.layers[5].state, LoopState::Coasting) << "what it said before it was found out was read";
+  EXPECT_EQ(news.layers[6].state, LoopState::Active);
+  for (const std::size_t layer : {6U, 7U})
+    EXPECT_NEAR(news.layers[layer].figures.mean_error_mm, printed.layers[layer].figures.mean_error_mm, 0.05)
+        << layer;
 }
 
 TEST(LoopRun, SaysThatNoPoseIsKnown) {

@@ -7,6 +7,7 @@
 #include "lamina/control/profile_reading.hpp"
 #include "lamina/control/stability.hpp"
 #include "lamina/control/trailing_trim.hpp"
+#include "lamina/deposition/grown_deposit.hpp"
 #include "support/control_layers.hpp"
 #include "support/measured_layers.hpp"
 #include "support/printed_wall.hpp"
@@ -206,11 +207,21 @@ SettingProbe plantProbe() {
            {"plant.seed=2", "plant.random=0.05"}}};
 }
 
+/// Where a bead lies, of which a fifth is missing.
+std::string scanty(const SettingTexts& set) {
+  const auto plant = settingsWith<PlantSettings>(set);
+  GrownDeposit deposit(HeightMap(heightGrid({Point2(0, 0), Point2(20, 10)}, 0.25), 0.0), plant, {3.0});
+  deposit.lay({{5, 5, 1.5}, {15, 5, 1.5}, 36.0, 0.0, 1.0});
+  deposit.endBead();
+  return numbersText({deposit.surface().nearest({10.1, 5.1}), deposit.surface().nearest({10.1, 6.4})});
+}
+
 }  // namespace
 
 std::vector<SettingProbe> loopProbes() {
   return {lawProbe(),
           plantProbe(),
+          {"a bead with too little material", "", scanty, {{"plant.pressed=true"}}},
           sightProbe(),
           {"a loop that is supervised",
            "",

@@ -139,9 +139,37 @@ TEST_P(MachineDepositModels, OfADisturbedProcessGrowsAsItDoes) {
       << "deposit.layers, deposit.bead_width_mm of the first bead";
 }
 
-TEST(MachineDeposit, OfADisturbedProcessNeedsAnUprightNozzle) {
+/// A wall of five beads along x, stacked at 45 deg from (100, 100) on the bed.
+TEST(MachineDeposit, OfADisturbedProcessGrowsAgainstToolAxesThatLean) {
   lamina::EmulatedMachineSettings settings;
   settings.plant.gain = 0.9;
+  const Eigen::Vector3d tool_axis = Eigen::Vector3d(0, 1, -1).normalized();
+  const auto deposit = bareBed(lamina::buildSpaceByName("gantry_45"), tool_axis, settings);
+  const Bead bead{kWidth, kHeight};
+  for (int layer = 1; layer <= 5; ++layer) {
+    const Point3 start = Point3(100, 100, 0) - kHeight * layer * tool_axis;
+    deposit->lay({start, start + Point3(30, 0, 0), tool_axis, tool_axis, 30.0 * crossSection(bead)}, {});
+    deposit->endBead();
+  }
+  const std::vector<Point3> points = deposit->points();
+  ASSERT_FALSE(points.empty());
+  const auto height = [&](const Point3& at) { return -tool_axis.dot(at - Point3(100, 100, 0)); };
+  const double top = height(*std::max_element(
+      points.begin(), points.end(), [&](const Point3& a, const Point3& b) { return height(a) < height(b); }));
+  // The first bead stands on the part of the bed that is higher along the tool axis, by up to half its width.
+  EXPECT_GT(top, 0.9 * 5 * kHeight);
+  EXPECT_LT(top, 0.9 * 5 * kHeight + 0.5 * kWidth);
+  for (const Point3& at : points) {
+    EXPECT_GT(at.z(), -1e-9);
+    EXPECT_NEAR(at.x(), 115.0, 15.2);
+    EXPECT_NEAR(at.dot(Eigen::Vector3d(0, 1, 1).normalized()), 100.0 * std::sqrt(0.5), 0.5 * kWidth + 0.01);
+  }
+  EXPECT_NEAR(deposit->bedFromSurface().linear().col(2).dot(tool_axis), -1.0, 1e-12);
+}
+
+TEST(MachineDeposit, OfALeaningToolAxisBreaksNothingOff) {
+  lamina::EmulatedMachineSettings settings;
+  settings.plant.detach_at_layer = 3;
   const Eigen::Vector3d leaning = Eigen::Vector3d(0, 1, -1).normalized();
   try {
     bareBed(lamina::buildSpaceByName("gantry_45"), leaning, settings);

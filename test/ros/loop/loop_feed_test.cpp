@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 
+#include "lamina/base/error.hpp"
 #include "ros/loop/wall_messages.hpp"
 #include "ros/set_time.hpp"
 
@@ -73,6 +74,7 @@ TEST(LoopFeed, PlacesWhatCameBeforeTheToolpath) {
   const SensedWall printed = test::sensedWall(wall);
   const test::SetTime time;
   time.set(test::timeOf(printed.tips.back().stamp_ns));
+  wall.settings.calibration.other_time_offsets_s = {{"nowhere", "0"}};
   LoopFeed feed(wall.settings, 1000.0);
   feed.addFixed(test::sensorMessage().transforms[0], "test");
   for (const SensedCloud& cloud : printed.clouds) {
@@ -134,6 +136,7 @@ TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
 /// it.
 std::uint64_t pointsUsed(const SensedWall& printed, LoopRunSettings settings, const std::string& second) {
   settings.calibration.nozzle_from_sensor = test::sensorOfWall();
+  settings.calibration.other_time_offsets_s = {{"second_sensor", "0"}};
   const test::SetTime time;
   time.set(test::timeOf(printed.tips.back().stamp_ns));
   LoopFeed feed(settings, 1000.0);
@@ -152,6 +155,71 @@ std::uint64_t pointsUsed(const SensedWall& printed, LoopRunSettings settings, co
   feed.finish();
   EXPECT_EQ(feed.counts().without_transform + feed.counts().placed, feed.counts().received);
   return feed.run()->counts().points.used;
+}
+
+/// How a wall came out of a print that two sensors of different clocks see, 20 ms and 70 ms late.
+struct SeenTwice {
+  FeedCounts counts;
+  std::vector<LayerOutcome> layers;
+};
+
+SeenTwice seenTwice(const SensedWall& printed, LoopRunSettings settings) {
+  settings.calibration.time_offset_s = 0.02;
+  const test::SetTime time;
+  time.set(test::timeOf(printed.tips.back().stamp_ns));
+  LoopFeed feed(settings, 1000.0);
+  tf2_msgs::TFMessage fixed = test::sensorMessage();
+  feed.addFixed(fixed.transforms[0], "test");
+  fixed.transforms[0].child_frame_id = "left";
+  feed.addFixed(fixed.transforms[0], "test");
+  feed.add(test::toolpathMessage(printed));
+  for (const SensedCloud& cloud : printed.clouds) {
+    auto left = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud, 0.07));
+    left->header.frame_id = "left";
+    feed.add(left);
+    feed.add(boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud, 0.02)));
+  }
+  for (const StampedTip& tip : printed.tips) feed.add(test::nozzleMessage(tip).transforms[0], "test");
+  feed.finish();
+  return {feed.counts(), feed.run()->takeNews().layers};
+}
+
+/// Of each sensor the clouds are placed by its own clock: with that of the first one the second one would see
+/// everything 2.4 mm off.
+TEST(LoopFeed, TakesTheTimeOffsetOfEachSensor) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.layers = 3;
+  wall.befalls = [](std::size_t, std::vector<double>& heights) {
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += i % 20 < 10 ? 0.1 : -0.1;  // steps
+  };
+  const SensedWall printed = test::sensedWall(wall);
+  wall.settings.calibration.other_time_offsets_s = {{"left", "0.07"}};
+  const SeenTwice both = seenTwice(printed, wall.settings);
+  EXPECT_EQ(both.counts.without_offset, 0U);
+  ASSERT_EQ(both.layers.size(), wall.layers);
+  EXPECT_NEAR(both.layers[2].figures.rmse_mm, printed.layers[2].figures.rmse_mm, 0.002);
+  wall.settings.calibration.other_time_offsets_s = {};
+  const SeenTwice one = seenTwice(printed, wall.settings);
+  EXPECT_EQ(one.counts.without_offset, printed.clouds.size() - 1)
+      << "the first one came before the calibrated sensor's";
+  EXPECT_EQ(one.counts.last_without_offset, "left");
+  EXPECT_EQ(one.counts.received,
+            one.counts.placed + one.counts.without_transform + one.counts.without_offset);
+  ASSERT_EQ(one.layers.size(), wall.layers);
+  EXPECT_NEAR(one.layers[2].figures.rmse_mm, printed.layers[2].figures.rmse_mm, 0.002);
+}
+
+TEST(LoopFeed, RefusesATimeOffsetThatIsNone) {
+  LoopRunSettings settings;
+  settings.calibration.other_time_offsets_s = {{"left", "70 ms"}};
+  try {
+    const LoopFeed feed(settings, 1.0);
+    FAIL() << "expected it to be refused";
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("sensor.other_time_offsets_s.left"), std::string::npos)
+        << error.what();
+  }
 }
 
 /// What a camera sees elsewhere is not taken to lie below the calibrated sensor.

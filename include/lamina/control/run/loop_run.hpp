@@ -22,10 +22,10 @@
 #include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/run/pose_watch.hpp"
 #include "lamina/control/run/sensor_motion.hpp"
+#include "lamina/control/run/sensor_watches.hpp"
 #include "lamina/control/run/solid_cells.hpp"
 #include "lamina/control/run/stamped_events.hpp"
 #include "lamina/control/run/standing_alarms.hpp"
-#include "lamina/control/run/stuck_watch.hpp"
 #include "lamina/control/run/taught_part.hpp"
 
 namespace lamina {
@@ -267,13 +267,15 @@ class LoopRun {
   std::optional<std::int64_t> cloud_ns_;
   std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
   PoseWatch pose_watch_;
-  StuckWatch stuck_;
+  SensorWatches sensors_;
   OffsetWatch offset_;
-  OffsetLeft offset_left_;  ///< by the last layer that shows an offset
-  LumpWatch lump_;          ///< highest lump above the layer under way, as scanned
-  FallenWatch fallen_;      ///< what came off that layer, as scanned
-  Box3 ground_;             ///< of that layer, without its height
-  SensorMotion motion_;     ///< [toolpath]
+  OffsetLeft offset_left_;                       ///< by the last layer that shows an offset
+  LumpWatch lump_;                               ///< highest lump above the layer under way, as scanned
+  FallenWatch fallen_;                           ///< what came off that layer, as scanned
+  Box3 ground_;                                  ///< of that layer, without its height
+  std::map<std::string, SensorMotion> motions_;  ///< of each sensor, by its name [toolpath]
+  Eigen::Vector3d velocity_ =
+      Eigen::Vector3d::Zero();  ///< of the sensor of the cloud under way [mm/s, toolpath]
   StandingAlarms watched_;
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct CellCalibration {
   double time_offset_s = 0.0;  ///< true time is the time stamp less this
   bool is_time_offset_trusted = false;
   double time_offset_sigma_s = 0.0;
+  SettingTable other_time_offsets_s;  ///< of further sensors, by the frame of their clouds
   bool is_place_trusted = false;      ///< whether the sensor's pose at the nozzle is known
   double place_error_mm = 0.0;        ///< error of that pose along the path
   double feeder_uncertainty_s = 0.0;  ///< uncertainty of dead time plus lag
@@ -58,6 +60,10 @@ struct LoopRunSettings {
 /// Adds the keys request, loop.*, sight.*, following.*, sensor.*, feeder.*, process.*, head.clearance_mm and
 /// monitor.*.
 void describe(SettingsSchema& schema, LoopRunSettings& settings);
+
+/// By how much the stamps of further sensors are late, by the frame of their clouds [s].
+/// @throws InvalidConfig naming the entry if one is not a number from -60 to 60
+std::map<std::string, double> otherTimeOffsets(const CellCalibration& calibration);
 
 /// The input of `checkStability` for the fastest motion and the widest bead of a toolpath.
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings);

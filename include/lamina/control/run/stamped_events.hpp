@@ -19,6 +19,7 @@ struct SensedCloud {
   Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
   /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
   std::vector<std::vector<Point3>> profiles;
+  std::string sensor = {};  ///< name of the sensor, such as its frame
 };
 
 /// A cloud, or a pose if there is no cloud.

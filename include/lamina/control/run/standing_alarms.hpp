@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
@@ -9,6 +10,11 @@
 #include "lamina/control/supervision.hpp"
 
 namespace lamina {
+
+/// Whether an alarm is among those raised.
+inline bool isAmong(const std::vector<RaisedAlarm>& alarms, LoopAlarm alarm) {
+  return std::any_of(alarms.begin(), alarms.end(), [alarm](const auto& each) { return each.alarm == alarm; });
+}
 
 /// The alarms of a watch that hold at present. An alarm is reported once for as long as it holds without a
 /// break.

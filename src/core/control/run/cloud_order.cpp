@@ -31,7 +31,9 @@ int compared(const SensedCloud& a, const SensedCloud& b) {
     for (std::size_t k = 0; k < of_a.size(); ++k)
       if (const int order = comparedBits(of_a[k].data(), of_b[k].data(), 3); order != 0) return order;
   }
-  return comparedBits(a.bed_from_sensor.data(), b.bed_from_sensor.data(), 16);
+  if (const int order = comparedBits(a.bed_from_sensor.data(), b.bed_from_sensor.data(), 16); order != 0)
+    return order;
+  return a.sensor.compare(b.sensor);
 }
 
 }  // namespace lamina

@@ -154,7 +154,7 @@ void LoopRun::restartClock() {
   cloud_ns_.reset();
   heard_ns_.reset();
   silent_s_ = 0.0;
-  motion_ = SensorMotion();
+  motions_.clear();
   solid_.begin();  // what is left behind becomes solid by the new stamps
 }
 
@@ -269,15 +269,16 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
   --counts_.clouds_waiting;
   cloud_ns_ = cloud.stamp_ns;
   silent_s_ = 0.0;
-  for (const auto& profile : cloud.profiles)
-    if (is_moving_) stuck_.see(profile);
+  if (is_moving_) sensors_.see(cloud, progress_.place().layer);
   watch(0.0);
-  if (watched_.isUp(LoopAlarm::Stuck)) {
+  if (sensors_.isStuck(cloud.sensor)) {
     ++counts_.clouds_stuck;
     return;
   }
   ++counts_.clouds_read;
-  motion_.see(cloud.stamp_ns, part_from_bed_ * cloud.bed_from_sensor.translation());
+  SensorMotion& motion = motions_[cloud.sensor];
+  motion.see(cloud.stamp_ns, part_from_bed_ * cloud.bed_from_sensor.translation());
+  velocity_ = motion.velocity();
   if (layer_) readCloud(cloud);
 }
 
@@ -327,7 +328,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
   const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
   SensorProfile profile;
   profile.toolpath_from_sensor = part_from_bed_ * cloud.bed_from_sensor;
-  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * motion_.velocity();
+  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * velocity_;
   for (const auto& points : cloud.profiles) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
@@ -357,7 +358,7 @@ void LoopRun::use(const LayerReading& reading) {
     return;
   }
   if (progress_.place().is_scanning)
-    offset_.see(reading.cell, motion_.velocity().dot(loop_->cells().tangent[reading.cell]), reading.reading);
+    offset_.see(reading.cell, velocity_.dot(loop_->cells().tangent[reading.cell]), reading.reading);
   switch (loop_->see(reading.cell, reading.reading).use) {
     case ReadingUse::Used:
       ++counts_.readings_used;
@@ -379,8 +380,7 @@ void LoopRun::watch(double blind_s) {
   seen.silent_s = hears ? 0.0 : silent_s_;
   seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = blind_s;
-  seen.profiles = stuck_.profiles();
-  seen.variance_mm2 = stuck_.variance();
+  sensors_.judge(progress_.place().layer, seen);
   seen.time_offset_s = offset_left_.offset_s;
   if (offset_left_.sigma_s > 0.0)
     seen.time_offset_sigmas = std::abs(offset_left_.offset_s) / offset_left_.sigma_s;
@@ -519,6 +519,8 @@ void LoopRun::endLayer() {
   watchOffset();
   LayerFigures figures = loop_->endLayer();
   figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
+  // The profiles by which a sensor was found to be stuck were read.
+  if (isAmong(layer_alarms_, LoopAlarm::Stuck)) figures.is_measured = false;
   taught_.end(*loop_, laid_.amount);
   below_ = loop_->estimates();
   below_layer_ = *layer_;
@@ -564,10 +566,8 @@ void LoopRun::offerPlan(const LayerFigures& figures, const std::string& reason) 
   plan.reason = reason;
   plan_loop_ = *loop_;
   plan_loop_->replan(plan.raised_mm, plan.flow);
-  const bool is_told = std::any_of(layer_alarms_.begin(), layer_alarms_.end(), [](const RaisedAlarm& alarm) {
-    return alarm.alarm == LoopAlarm::Saturated;
-  });
-  if (!is_told) take({status_, {{LoopAlarm::Saturated, LoopReaction::Replan, reason}}});
+  if (!isAmong(layer_alarms_, LoopAlarm::Saturated))
+    take({status_, {{LoopAlarm::Saturated, LoopReaction::Replan, reason}}});
   plan_ = plan;
   news_.plans.push_back(std::move(plan));
 }

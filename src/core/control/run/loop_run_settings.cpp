@@ -17,6 +17,8 @@ void describeCalibration(SettingsSchema& schema, CellCalibration& calibration) {
               "Whether that is known; else the loop is blocked.");
   schema.number("sensor.time_offset_sigma_s", calibration.time_offset_sigma_s, {0.0, 60.0},
                 "Standard deviation of that.");
+  schema.table("sensor.other_time_offsets_s", calibration.other_time_offsets_s,
+               "The same of further sensors, by the frame of their clouds; those of others are left out.");
   schema.flag("sensor.place_trusted", calibration.is_place_trusted,
               "Whether tf holds the calibrated place of the sensor at the nozzle; else the loop is blocked.");
   schema.number("sensor.place_error_mm", calibration.place_error_mm, {0.0, 1000.0},
@@ -56,6 +58,16 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
                 "Time since then after which a cell is solid, and read.");
   schema.number("monitor.reorder_s", settings.reorder_s, {0.0, 60.0},
                 "Time by the stamps for which poses and clouds wait for older ones.");
+}
+
+std::map<std::string, double> otherTimeOffsets(const CellCalibration& calibration) {
+  std::map<std::string, double> offsets_s;
+  for (const auto& [frame, text] : calibration.other_time_offsets_s) {
+    SettingsSchema schema;
+    schema.number("sensor.other_time_offsets_s." + frame, offsets_s[frame], {-60.0, 60.0}, "");
+    schema.set("sensor.other_time_offsets_s." + frame, text);
+  }
+  return offsets_s;
 }
 
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings) {

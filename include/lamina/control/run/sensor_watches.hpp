@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "lamina/control/run/stamped_events.hpp"
+#include "lamina/control/run/stuck_watch.hpp"
+#include "lamina/control/supervision.hpp"
+
+namespace lamina {
+
+/// Detects which of several sensors are stuck, each by its own clouds: one that is stuck beside a live one is
+/// not hidden by that.
+class SensorWatches {
+ public:
+  /// Adds a cloud that was taken while the nozzle moved.
+  /// @param layer  of the print, at that time
+  void see(const SensedCloud& cloud, std::size_t layer);
+
+  bool isStuck(const std::string& sensor) const;
+
+  /// Fills in what `afterWatch` judges of a stuck sensor, in a layer: of the sensor with the most equal
+  /// profiles.
+  void judge(std::size_t layer, SensorWatch& seen) const;
+
+ private:
+  struct Sensor {
+    StuckWatch watch;
+    std::size_t layer = 0;  ///< of the last cloud
+  };
+  std::map<std::string, Sensor> sensors_;  ///< by name
+};
+
+}  // namespace lamina
