@@ -61,11 +61,12 @@ export async function login(token) {
   return session();
 }
 
-/** Sends a file as a form, and reports how far it is. */
-export async function upload(file, onProgress) {
+/** Sends a file as a form with these fields, and reports how far it is. */
+export async function upload(file, fields, onProgress) {
   await session().catch(() => {}); // a refusal might be lost while the file is under way
   return new Promise((resolve, reject) => {
     const form = new FormData();
+    for (const [name, value] of Object.entries(fields)) form.append(name, value);
     form.append("file", file, file.name);
     const call = new XMLHttpRequest();
     call.open("POST", "/api/v1/jobs");

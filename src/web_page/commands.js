@@ -36,13 +36,12 @@ async function next() {
   const [command] = step;
   const seen = sequence();
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
+  const refusal = state.unit.resume_refusal;
+  const discard = { value: "discard", label: texts.discard, kind: "stop" };
   const choice = await ask({
     title: texts.start_title,
-    text: texts.start_text(jobName()),
-    answers: [
-      { value: "resume", label: texts.resume, kind: "primary" },
-      { value: "discard", label: texts.discard, kind: "stop" },
-    ],
+    text: refusal ? texts.start_refused(jobName(), refusal) : texts.start_text(jobName()),
+    answers: refusal ? [discard] : [{ value: "resume", label: texts.resume, kind: "primary" }, discard],
   });
   if (choice) await give("Start", { ...seen, cut_off: choice });
 }

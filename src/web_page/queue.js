@@ -84,7 +84,18 @@ export function showRequests(requests, mayOperate) {
 
 let isUploading = false;
 
+const isMesh = (file) => /\.(stl|obj|ply|3mf|step|stp)$/i.test(file?.name ?? "");
+/** What a mesh is sliced by; nothing for programs. */
+function meshFields(file) {
+  if (!isMesh(file)) return {};
+  const value = (id) => byId(id).value.trim();
+  return { material: value("mesh-material"), process: value("mesh-process"), settings: value("mesh-settings") };
+}
+
 export function wireUpload() {
+  byId("program").addEventListener("change", () => {
+    byId("mesh-fields").hidden = !isMesh(byId("program").files[0]);
+  });
   byId("upload-form").addEventListener("submit", async (event) => {
     event.preventDefault();
     if (isUploading) return;
@@ -97,12 +108,13 @@ export function wireUpload() {
     bar.setAttribute("aria-label", texts.uploading(file.name));
     tell(texts.uploading(file.name));
     try {
-      const sent = await upload(file, (part) => {
+      const sent = await upload(file, meshFields(file), (part) => {
         bar.value = part;
-        if (part >= 1) tell(texts.checking);
+        if (part >= 1) tell(isMesh(file) ? texts.slicing : texts.checking);
       });
       tell(texts.uploaded(sent.name));
       byId("program").value = "";
+      byId("mesh-fields").hidden = true;
     } catch (error) {
       tell(error.status ? error.message : texts.no_link);
     } finally {

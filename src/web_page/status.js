@@ -24,12 +24,18 @@ function leftText(left) {
   return texts.about(duration(left.seconds), duration(left.least_s), duration(left.most_s));
 }
 
+/** What becomes of a job that was cut off, once the unit is at rest. */
+function cutOffHint(unit) {
+  if (!unit.resume_waits || !["Stopped", "Idle"].includes(unit.state)) return "";
+  return unit.resume_refusal ? texts.cannot_resume(unit.resume_refusal) : texts.can_resume;
+}
+
 export function showState(state, layers) {
   const { unit, job, progress } = state;
   document.body.dataset.kind = kinds[unit.state] ?? "rest";
   setText(byId("state-symbol"), symbols[unit.state] ?? "●");
   setText(byId("state-name"), texts.states[unit.state] ?? unit.state);
-  const wait = unit.state === "Held" ? state.machine?.failure : "";
+  const wait = unit.state === "Held" ? state.machine?.failure : cutOffHint(unit);
   setText(byId("state-detail"), unit.stop_reason?.message || wait || (texts.state_hints[unit.state] ?? ""));
   const facts = [
     [texts.fact_job, job ? job.name : texts.none],

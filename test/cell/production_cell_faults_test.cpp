@@ -163,6 +163,9 @@ void recover(Cell& cell) {
 
 /// The first job of a stopped machine is not resumed, but it may be discarded; the next one starts.
 void expectDiscardOnly(Cell& cell, std::int64_t job) {
+  const std::vector<UnmetGuard> against = cell.run().againstResuming();
+  ASSERT_EQ(against.size(), 1U);
+  EXPECT_EQ(against.front().code, 1313);
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed);
   EXPECT_NE(cell.answer.reason.find("lost motions"), std::string::npos) << cell.answer.reason;
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
@@ -173,6 +176,7 @@ void expectDiscardOnly(Cell& cell, std::int64_t job) {
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted)
       << cell.answer.reason;
   ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_TRUE(cell.run().againstResuming().empty()) << "of a job that nobody asks for any more";
   EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
   EXPECT_EQ(cell.journal().job(next).state, JobState::Ended);
 }

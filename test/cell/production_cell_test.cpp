@@ -200,6 +200,7 @@ TEST(ProductionCell, OffersToGoOnAfterALostLink) {
   ASSERT_TRUE(cell.reaches(UnitState::Stopped));
   bringToIdle(cell);
   EXPECT_TRUE(cell.run().resumeWaits());
+  EXPECT_TRUE(cell.run().againstResuming().empty());
   EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::GuardFailed) << "never by itself";
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted);
   ASSERT_TRUE(cell.reaches(UnitState::Complete));
@@ -223,7 +224,10 @@ TEST(ProductionCell, DiscardsACutOffJobAndPrintsTheNext) {
   bringToIdle(cell);
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::GuardFailed)
       << "its part is there";
+  EXPECT_TRUE(cell.run().againstResuming().empty());
   cell.run().confirmRemoval("anna", cell.now);
+  ASSERT_EQ(cell.run().againstResuming().size(), 1U);
+  EXPECT_EQ(cell.run().againstResuming().front().code, 1311);
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed)
       << "and now it is not";
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted);

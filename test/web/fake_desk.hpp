@@ -52,6 +52,13 @@ class FakeDesk final : public CellDesk {
     answer.job = 7;
     return answer;
   }
+  DeskAnswer enqueueMesh(const DeskMesh& mesh) override {
+    std::string order = "slice " + mesh.name + " of " + mesh.material + " by " + mesh.process;
+    for (const SettingText& setting : mesh.settings) order += ", " + setting.key + " " + setting.text;
+    DeskAnswer answer = take(order + " for " + mesh.source);
+    answer.job = 8;
+    return answer;
+  }
   DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override {
     return take("change " + std::to_string(static_cast<int>(change)) + " of " + std::to_string(job) + " by " +
                 source);

@@ -44,7 +44,9 @@ class Cell:
         self.has_camera = False
         self.socket = "live"  # or silent
         self.after = {}  # the state that a command leads to
+        self.resume_refusal = None  # of a job that was cut off; empty if it can be resumed
         self.upload_s = 0.0
+        self.forms = []  # of the uploads
         self.refused = 0  # questions who is logged in that are answered by 503 first
         self.events, self.samples = [], []
         self.clock_s = 0.0  # what its clock is ahead by
@@ -52,7 +54,8 @@ class Cell:
 
     def shown(self):
         unit = {"state": self.state, "sequence": self.sequence, "in_state_s": 1, "mode": "Production", "mode_number": 1,
-                "accepted_now": ["Hold", "Stop", "Abort", "Reset", "Start", "Clear"], "resume_waits": False, "is_part_on_plate": False}
+                "accepted_now": ["Hold", "Stop", "Abort", "Reset", "Start", "Clear"], "resume_waits": self.resume_refusal is not None,
+                "resume_refusal": self.resume_refusal or "", "is_part_on_plate": False}
         return {"utc_s": int(time.time() + self.clock_s), "is_fresh": True, "age_s": 0, "notices": [], "unit": unit, "job": None, "alarms": [], "queue": [],
                 "progress": {"lines": 10, "lines_acknowledged": 1, "layer": -1, "fraction": 0.1},
                 "machine": {"nozzle_degc": 210.0, "bed_degc": 60.0, "position_m": [0, 0, 0], "age_s": self.machine_age_s, "failure": ""},
@@ -138,6 +141,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
             self.answer(200, {"message": ""})
         elif self.path == "/api/v1/jobs":
             cell.uploads += 1
+            cell.forms.append(body.decode())
             time.sleep(cell.upload_s)
             self.answer(201, {"job": 1, "name": "a.gcode", "bytes": 1, "sha256": ""})
         else:
@@ -164,6 +168,9 @@ class Page:
 
     def text(self, selector):
         return self.browser.execute_script("return document.querySelector(arguments[0])?.innerText ?? ''", selector)
+
+    def script(self, text):
+        return self.browser.execute_script(text)
 
     def press(self, name, times=1):
         """Presses within one turn of the browser, as the second press of two that are close."""
@@ -233,6 +240,30 @@ def check_second_press(page, cell):
     page.wait(lambda: cell.commands == ["Reset", "Start"], f"Start, where it was meant; commands were {cell.commands}")
 
 
+def check_resume_only_where_it_can_be_done(page, cell):
+    """Start of a job that was cut off asks what becomes of it, and offers no resume that would be refused."""
+    cell.state, cell.resume_refusal = "Idle", ""
+    page.open()
+
+    def answers():
+        page.press("next")
+        page.wait(lambda: page.script("return document.getElementById('dialog').open"), "the question")
+        labels = page.script("return [...document.querySelectorAll('#dialog-buttons button')].map((each) => each.innerText)")
+        text = page.text("#dialog-text")
+        require(page.script("return document.activeElement.innerText") == "Go back", "the focus is on the way back")
+        page.script("document.querySelector('#dialog-buttons button').click()")
+        page.wait(lambda: not page.script("return document.getElementById('dialog').open"), "the question is closed")
+        return labels, text
+
+    require(answers()[0] == ["Go back", "Resume it", "Discard it"], "both are offered where both can be done")
+    cell.resume_refusal = "the machine has lost motions"
+    page.wait(lambda: "lost motions" in page.text("#state-detail"), "why it can only be discarded, before anything is pressed")
+    labels, text = answers()
+    require(labels == ["Go back", "Discard it"], f"a resume that would be refused is offered: {labels}")
+    require("lost motions" in text, f"the question does not say why: '{text}'")
+    require(cell.commands == [], f"going back has given {cell.commands}")
+
+
 def check_upload_pressed_twice(page, cell, folder):
     cell.upload_s = 1.0
     program = f"{folder}/a.gcode"
@@ -244,6 +275,29 @@ def check_upload_pressed_twice(page, cell, folder):
     page.wait(lambda: "waits in the queue" in page.text("#upload-answer"), "the upload")
     time.sleep(1.5)
     require(cell.uploads == 1, f"the file was sent {cell.uploads} times")
+
+
+def check_mesh_fields(page, cell, folder):
+    """What a mesh is sliced by is asked where one is chosen, by fields that have names, and sent with it; programs ask nothing."""
+    for name in ("a.gcode", "b.stl"):
+        with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
+            file.write("\n")
+    page.open()
+    choice = page.browser.find_element(By.ID, "program")
+    choice.send_keys(f"{folder}/a.gcode")
+    require(not page.browser.find_element(By.ID, "mesh-fields").is_displayed(), "a program asks how it is sliced")
+    choice.send_keys(f"{folder}/b.stl")
+    names = []
+    for field, value in (("material", "pla"), ("process", "fine"), ("settings", "walls.count=2")):
+        control = page.browser.find_element(By.ID, f"mesh-{field}")
+        names.append(control.accessible_name)
+        control.send_keys(value)
+    require(all(names), f"fields without a name: {names}")
+    page.press("upload")
+    page.wait(lambda: "waits in the queue" in page.text("#upload-answer"), "the upload")
+    for field, value in (("material", "pla"), ("process", "fine"), ("settings", "walls.count=2")):
+        require(f'name="{field}"\r\n\r\n{value}\r\n' in cell.forms[-1], f"the form has no {field}: {cell.forms[-1]}")
+    require(not page.browser.find_element(By.ID, "mesh-fields").is_displayed(), "the fields stay after the upload")
 
 
 def check_old_figures(page, cell):
@@ -289,7 +343,9 @@ def main():
     failed = 0
     try:
         for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_silent_socket, ()), (check_camera_after_loss, ()),
-                            (check_second_press, ()), (check_upload_pressed_twice, (folder,)), (check_old_figures, ()),
+                            (check_second_press, ()),
+                            (check_resume_only_where_it_can_be_done, ()), (check_upload_pressed_twice, (folder,)),
+                            (check_mesh_fields, (folder,)), (check_old_figures, ()),
                             (check_clock_set_back, ())):
             Handler.cell = Cell()
             try:

@@ -122,6 +122,10 @@ class ProductionCell {
   /// Whether a job was cut off for which it is not decided yet whether it is resumed.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
+  /// The reasons for which the job that was cut off cannot be resumed, whatever the unit's state; none if it
+  /// can be, or if there is none.
+  std::vector<UnmetGuard> againstResuming() const;
+
   /// The reasons against a start of the next job, as far as they show without reading its files.
   std::vector<UnmetGuard> againstNext(const CellSurroundings& found) const;
 

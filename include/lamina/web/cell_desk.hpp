@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/cell_journal.hpp"
 
@@ -40,7 +41,8 @@ struct ShownUnit {
   int stop_reason = 0;                    ///< alarm that stopped the unit; 0 for none
   std::string stop_message;
   std::optional<ShownJob> job;
-  bool resume_waits = false;  ///< whether a job that was cut off can be resumed
+  bool resume_waits = false;   ///< whether a job was cut off, and Start says what becomes of it
+  std::string resume_refusal;  ///< why that job cannot be resumed; empty if it can
   bool is_part_on_plate = false;
   std::uint32_t lines = 0;
   std::uint32_t lines_acknowledged = 0;
@@ -170,6 +172,19 @@ struct DeskProgram {
   std::string name;
   std::string part;
   std::string source;
+  std::string mesh = {};       ///< path of the mesh that it was sliced from; empty for none
+  std::string mesh_name = {};  ///< name of that file
+};
+
+/// A mesh that is sliced on the cell, and its program added to the queue.
+struct DeskMesh {
+  std::string path;
+  std::string name;  ///< of the uploaded file; its suffix states the format
+  std::string part;
+  std::string source;
+  std::string material;  ///< name of a profile; empty for none
+  std::string process;   ///< the same
+  std::vector<SettingText> settings = {};
 };
 
 enum class QueueChange : std::uint8_t { Release = 0, Revoke = 1, MoveToFront = 2, Remove = 3 };
@@ -190,6 +205,8 @@ class CellDesk {
   virtual DeskAnswer command(const DeskCommand& command) = 0;
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;
   virtual DeskAnswer enqueue(const DeskProgram& program) = 0;
+  /// Waits until the mesh is sliced.
+  virtual DeskAnswer enqueueMesh(const DeskMesh& mesh) = 0;
   virtual DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) = 0;
   /// Moves a job to a place in the queue, from 1.
   virtual DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) = 0;

@@ -228,6 +228,16 @@ std::vector<UnmetGuard> ProductionCell::againstNext(const CellSurroundings& foun
   return againstBeginning(found, CutOffJob::Undecided, FileCheck::None);
 }
 
+std::vector<UnmetGuard> ProductionCell::againstResuming() const {
+  std::vector<UnmetGuard> against;
+  const auto open = resumeWaits() ? journal_.open() : std::nullopt;
+  if (!open) return against;
+  if (open->progress.taken_through > 0 && !is_part_on_plate_)
+    against.push_back({1311, "the part that was cut off was taken away; discard its job"});
+  if (execution_ == lost_motions_of_) against.push_back({1313, kMotionsAreLost});
+  return against;
+}
+
 std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
                                                          FileCheck files) const {
   StartConditions conditions = found.start;
@@ -245,12 +255,10 @@ std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings&
                                    std::to_string(journal_.open()->progress.taken_through) +
                                    "; say whether it is resumed or discarded"});
     if (cut_off != CutOffJob::Discard) job = interrupted;
-    const bool has_begun = journal_.open()->progress.taken_through > 0;
-    if (cut_off == CutOffJob::Resume && has_begun && !is_part_on_plate_)
-      against.push_back({1311, "the part that was cut off was taken away; discard its job"});
-    if (cut_off == CutOffJob::Resume && execution_ == lost_motions_of_)
-      against.push_back({1313, kMotionsAreLost});
-    if (cut_off == CutOffJob::Resume) conditions.is_part_removed = true;
+    if (cut_off == CutOffJob::Resume) {
+      for (UnmetGuard& guard : againstResuming()) against.push_back(std::move(guard));
+      conditions.is_part_removed = true;
+    }
   }
   conditions.job = job ? job->name : "";
   conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;

@@ -28,6 +28,7 @@ json unitJson(const ShownUnit& unit) {
                 {"mode_number", unit.mode},
                 {"accepted_now", commandNames(unit.accepted_now)},
                 {"resume_waits", unit.resume_waits},
+                {"resume_refusal", unit.resume_refusal},
                 {"is_part_on_plate", unit.is_part_on_plate}};
   if (unit.stop_reason != 0)
     value["stop_reason"] = {{"alarm", unit.stop_reason}, {"message", unit.stop_message}};

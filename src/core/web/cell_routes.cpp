@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/web/mesh_upload.hpp"
 #include "web/site_routes.hpp"
 
 namespace lamina {
@@ -259,6 +260,7 @@ DeskAnswer enqueueUpload(SiteCall& call, const std::string& source) {
     const auto found = upload.fields.find(name);
     return found == upload.fields.end() ? std::string() : found->second;
   };
+  if (!meshSuffix(upload.name).empty()) return call.parts.desk.enqueueMesh(meshOf(upload, source));
   return call.parts.desk.enqueue({upload.path, upload.name, field("part"), source});
 }
 

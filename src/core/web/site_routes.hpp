@@ -85,7 +85,8 @@ nlohmann::json alarmsJson(const CellSnapshot& seen);
 nlohmann::json startupJson(const CellSnapshot& seen);
 nlohmann::json layersJson(const CellSnapshot& seen);
 
-/// Adds an uploaded program to the queue.
+/// Adds an uploaded program to the queue, or the program that an uploaded mesh is sliced into.
+/// @throws InvalidInput as `meshOf`
 DeskAnswer enqueueUpload(SiteCall& call, const std::string& source);
 
 }  // namespace lamina

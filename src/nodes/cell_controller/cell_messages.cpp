@@ -4,7 +4,19 @@
 
 #include <algorithm>
 
+#include "lamina/base/text.hpp"
+
 namespace lamina {
+namespace {
+
+std::string sentencesOf(const std::vector<UnmetGuard>& against) {
+  std::vector<std::string> sentences;
+  sentences.reserve(against.size());
+  for (const UnmetGuard& guard : against) sentences.push_back(guard.sentence);
+  return listed(sentences, "; ");
+}
+
+}  // namespace
 
 double fractionOf(const ExecutorReport& report) {
   if (report.lines == 0) return 0.0;
@@ -66,6 +78,7 @@ lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vecto
     message.layers = job->layers;
   }
   message.resume_waits = cell.resumeWaits();
+  message.resume_refusal = sentencesOf(cell.againstResuming());
   message.is_part_on_plate = cell.isPartOnPlate();
   const ExecutorReport& report = cell.report();
   message.lines = static_cast<std::uint32_t>(report.lines);

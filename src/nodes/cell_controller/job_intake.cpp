@@ -70,21 +70,22 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   const std::string file = path.filename();
   const std::string name = request.name.empty() ? file : request.name;
   // Uploads have no suffix of their own.
-  const KeptFile program =
-      artefacts_.keepFile(request.program, "program", path.has_extension() ? file : name);
+  std::vector<KeptFile> files = {
+      artefacts_.keepFile(request.program, "program", path.has_extension() ? file : name)};
   try {
-    const std::string kept = artefacts_.pathOf(program.artefact);
+    const std::string kept = artefacts_.pathOf(files.front().artefact);
     requirePrintable(kept, machine_);
-    return add({name,
-                request.part,
-                machine_.name,
-                {program.artefact},
-                request.source,
+    if (!request.mesh.empty()) files.push_back(artefacts_.keepFile(request.mesh, "mesh", request.mesh_name));
+    std::vector<Artefact> artefacts;
+    artefacts.reserve(files.size());
+    for (const KeptFile& each : files) artefacts.push_back(each.artefact);
+    return add({name, request.part, machine_.name, artefacts, request.source,
                 layersOf(StreamableProgram::fromFile(kept))});
   } catch (const Cancelled&) {
     throw;  // the journal may still have taken it
   } catch (...) {
-    if (program.is_new) artefacts_.remove(program.artefact);
+    for (const KeptFile& each : files)
+      if (each.is_new) artefacts_.remove(each.artefact);
     throw;
   }
 }

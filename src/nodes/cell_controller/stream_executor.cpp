@@ -12,6 +12,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/base/text_search.hpp"
 #include "lamina/streaming/job/packml.hpp"
+#include "lamina/streaming/job/unstopped_machine.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
 
@@ -55,6 +56,15 @@ int alarmOf(const lamina_msgs::Status& status) {
     default:
       return 3106;
   }
+}
+
+/// Whether the job's end has stopped the machine, or told it to stop, after lines of the job: motions that
+/// it had accepted are then lost.
+bool isStoppedBy(const lamina_msgs::Status& status) {
+  using Status = lamina_msgs::Status;
+  if (status.code == Status::CANCELLED || status.code == Status::TIMED_OUT) return true;
+  return status.code == Status::DISCONNECTED && !contains(status.message, kLinkNotBack) &&
+         !contains(status.message, kMayStillPrint);
 }
 
 ExecutorPhase phaseOf(PackmlState state) {
@@ -113,6 +123,7 @@ void StreamExecutor::start(const StartOrder& order) {
   ordered_s_ = clock_.now();
   is_taken_up_ = false;
   has_begun_ = false;
+  has_run_ = false;
   last_ = {};
   client_.sendGoal(
       goal, [this, number](const auto& state, const auto& result) { onDone(number, state, result); },
@@ -192,12 +203,15 @@ void StreamExecutor::onState(const lamina_msgs::MachineStateConstPtr& state) {
   machine_ = *state;
   has_machine_ = true;
   last_sign_s_ = clock_.now();
-  const ExecutorReport report = reportOf(*state);
+  ExecutorReport report = reportOf(*state);
   const bool is_job_known = order_ ? has_begun_ : !isAtRest(last_.phase);
   if (is_job_known && state->state == lamina_msgs::MachineState::IDLE) return onRestart(report);
   // A job that was started here ends by its result alone: a latched state may be that of the job before.
   if (order_ && isAtRest(report.phase)) return;
+  report.has_lost_motions = report.phase == ExecutorPhase::Resting && has_run_ && isStoppedBy(state->status);
   has_begun_ = true;
+  has_run_ = has_run_ || (report.phase != ExecutorPhase::Starting &&
+                          report.phase != ExecutorPhase::Stopping && report.phase != ExecutorPhase::Resting);
   last_ = report;
   report_(report);
 }
@@ -233,11 +247,12 @@ void StreamExecutor::onDone(std::uint64_t order, const actionlib::SimpleClientGo
   if (!is_done && result != nullptr && result->status.message.empty())
     report.failure = "the executor did not take the job up: " + state.toString();
   if (result != nullptr) report.progress.taken_through = result->lines_acknowledged;
-  // Whoever ends a job has the streamer stop its machine, unless that has got no line yet.
+  // A machine that has got no line yet of this order keeps what it had.
+  const bool is_cancelled = result != nullptr && result->status.code == lamina_msgs::Status::CANCELLED;
   const bool has_lines =
-      report.progress.taken_through > 0 || (has_begun_ && report.progress.sent_through > 0);
-  report.has_lost_motions =
-      result != nullptr && result->status.code == lamina_msgs::Status::CANCELLED && has_lines;
+      is_cancelled ? report.progress.taken_through > 0 || (has_begun_ && report.progress.sent_through > 0)
+                   : has_run_;
+  report.has_lost_motions = result != nullptr && has_lines && isStoppedBy(result->status);
   last_ = report;
   report_(report);
 }

@@ -79,6 +79,7 @@ class StreamExecutor final : public Executor {
   std::optional<std::uint64_t> order_;  ///< under way
   bool is_taken_up_ = false;            ///< what was ordered last; its program may still be read
   bool has_begun_ = false;              ///< the same, by the state of the machine
+  bool has_run_ = false;                ///< whether its lines have been sent since
   ExecutorReport last_;                 ///< of it
   double ordered_s_ = 0.0;
   double last_sign_s_;

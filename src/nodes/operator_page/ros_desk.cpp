@@ -14,6 +14,7 @@
 #include "call_source.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
+#include "sliced_upload.hpp"
 
 namespace lamina {
 namespace {
@@ -40,6 +41,7 @@ ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
   unit.stop_message = status.stop_message;
   if (status.job.id != 0) unit.job = shown(status.job);
   unit.resume_waits = status.resume_waits;
+  unit.resume_refusal = status.resume_refusal;
   unit.is_part_on_plate = status.is_part_on_plate;
   unit.lines = status.lines;
   unit.lines_acknowledged = status.lines_acknowledged;
@@ -286,6 +288,8 @@ DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
   call.request.name = program.name;
   call.request.part = program.part;
   call.request.source = program.source;
+  call.request.mesh = program.mesh;
+  call.request.mesh_name = program.mesh_name;
   const auto ask = [node = node_, call]() mutable {
     if (!callService(node.resolveName(names::kEnqueueJob), call)) return silent(names::kEnqueueJob);
     DeskAnswer answer = answerOf(call.response.status);
@@ -293,6 +297,20 @@ DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
     return answer;
   };
   return programs_.ask({program.path, OrderEffect::Other, "cell_controller", kProgramPatience, ask});
+}
+
+DeskAnswer RosDesk::enqueueMesh(const DeskMesh& mesh) {
+  const SlicedUpload files(mesh);
+  const auto ask = [node = node_, call = files.request()]() mutable {
+    if (!callService(node.resolveName(names::kSliceMesh), call)) return silent(names::kSliceMesh);
+    return answerOf(call.response.status);
+  };
+  DeskAnswer sliced = meshes_.ask({mesh.path, OrderEffect::Other, "slicing_service", kProgramPatience, ask});
+  if (sliced.outcome != DeskAnswer::Outcome::Done) {
+    sliced.message = files.withNames(sliced.message);
+    return sliced;
+  }
+  return enqueue(files.program());
 }
 
 DeskAnswer RosDesk::changeQueue(QueueChange change, std::int64_t job, const std::string& source) {

@@ -33,6 +33,7 @@ class RosDesk final : public CellDesk {
   DeskAnswer command(const DeskCommand& command) override;
   DeskAnswer changeMode(int mode, const std::string& source) override;
   DeskAnswer enqueue(const DeskProgram& program) override;
+  DeskAnswer enqueueMesh(const DeskMesh& mesh) override;
   DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override;
   DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) override;
   DeskAnswer acknowledge(int alarm, const std::string& source) override;
@@ -72,10 +73,11 @@ class RosDesk final : public CellDesk {
   ProgramPreview preview_{layersOf};
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
-  // What stops the unit waits behind nothing else; programs are read for minutes.
+  // What stops the unit waits behind nothing else; programs are read, and meshes sliced, for minutes.
   OrderLane stops_;
   OrderLane orders_;
   OrderLane programs_;
+  OrderLane meshes_;
 };
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
+#include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "latched.hpp"
@@ -28,6 +29,13 @@ namespace {
 
 constexpr double kCubicMillimetresPerCubicMetre = 1e9;
 
+/// What service and action have in common.
+template <class Request, class Message>
+Request requestOf(const Message& message) {
+  return {message.part,     message.settings, message.output,
+          message.material, message.process,  message.is_file_only != 0};
+}
+
 }  // namespace
 
 SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings)
@@ -47,7 +55,7 @@ SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings
 bool SlicingService::onService(lamina_msgs::SliceMesh::Request& request,
                                lamina_msgs::SliceMesh::Response& response) {
   ServiceProgress progress;
-  const Answer given = answer({request.part, request.settings, request.output}, progress);
+  const Answer given = answer(requestOf<Request>(request), progress);
   response.status = given.status;
   response.toolpath_id = given.toolpath_id;
   response.summary = given.summary;
@@ -56,7 +64,7 @@ bool SlicingService::onService(lamina_msgs::SliceMesh::Request& request,
 
 void SlicingService::onGoal(const lamina_msgs::SliceGoalConstPtr& goal) {
   ActionProgress<lamina_msgs::SliceAction> progress(action_);
-  const Answer given = answer({goal->part, goal->settings, goal->output}, progress);
+  const Answer given = answer(requestOf<Request>(*goal), progress);
   lamina_msgs::SliceResult result;
   result.status = given.status;
   result.toolpath_id = given.toolpath_id;
@@ -86,25 +94,34 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
   }
 }
 
-SlicingService::Answer SlicingService::slice(const Request& request, Progress& progress) {
-  SliceJob job{request.part, request.output, settings_};
+JobSettings SlicingService::settingsOf(const Request& request) const {
+  JobSettings settings = settings_;
   SettingsSchema schema;
-  describe(schema, job.settings);
+  describe(schema, settings);
   std::set<std::string> typed = changedKeys(settings_);
+  applyProfiles(schema, {"", settings_.machine.name, request.material, request.process, "", {}},
+                ProfileLibrary(profileFolders()));
   applyRequest(schema, request.settings);
   for (const lamina_msgs::Setting& setting : request.settings) typed.insert(setting.key);
-  job.settings = withMachineDefaults(job.settings, typed);
-  SlicedPart sliced = runShown(job, progress);
+  return withMachineDefaults(settings, typed);
+}
+
+SlicingService::Answer SlicingService::slice(const Request& request, Progress& progress) {
+  if (request.is_file_only && request.output.empty())
+    throw InvalidInput("output is empty; expected a file, since nothing is to be published");
+  const SliceJob job{request.part, request.output, settingsOf(request)};
+  SlicedPart sliced = request.is_file_only ? runSliceJob(job, progress) : runShown(job, progress);
+  Answer answer;
+  answer.summary = toMessage(sliced.summary);
+  answer.toolpath_id = toolpathId(sliced.toolpath);
+  if (request.is_file_only) return answer;
   const Findings findings = find(sliced, job.settings, progress);
   MachineToolpath placed;
-  placed.id = toolpathId(sliced.toolpath);
+  placed.id = answer.toolpath_id;
   placed.machine = buildSpaceOf(job.settings.machine).name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
   publish(placed, findings, job.settings.frames);
-  Answer answer;
-  answer.toolpath_id = placed.id;
-  answer.summary = toMessage(sliced.summary);
   return answer;
 }
 

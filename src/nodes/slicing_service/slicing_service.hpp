@@ -42,6 +42,9 @@ class SlicingService {
     std::string part;
     std::vector<lamina_msgs::Setting> settings;
     std::string output;
+    std::string material;  ///< name of a profile; empty for none
+    std::string process;
+    bool is_file_only = false;  ///< whether nothing is published
   };
   struct Answer {
     lamina_msgs::Status status;
@@ -59,6 +62,8 @@ class SlicingService {
   void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
   Answer answer(const Request& request, Progress& progress);
   Answer slice(const Request& request, Progress& progress);
+  /// The node's settings with those of the request.
+  JobSettings settingsOf(const Request& request) const;
   /// Shows the region of a part that cannot be sliced.
   SlicedPart runShown(const SliceJob& job, Progress& progress);
   static Findings find(const SlicedPart& sliced, const JobSettings& settings, Progress& progress);

@@ -174,5 +174,19 @@ TEST_F(LayeredSettingsTest, RefuseProfilesThatInheritInACircle) {
   EXPECT_EQ(refusal.rfind(path("machines/second") + ":4: inherits from 'first'", 0), 0U) << refusal;
 }
 
+TEST_F(LayeredSettingsTest, AppliesProfilesOverSettingsThatAreThere) {
+  JobSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  schema.set("bead.width_mm", "0.9");
+  schema.set("slicing.layer_height_mm", "0.31");
+  applyProfiles(schema, sourcesOf("cartesian_gantry", "soft", "slow"), library_);
+  EXPECT_EQ(schema.find("program.nozzle_temperature_c")->get(), "200");
+  EXPECT_EQ(schema.find("bead.width_mm")->get(), "0.6");
+  EXPECT_EQ(schema.find("slicing.layer_height_mm")->get(), "0.31");
+  EXPECT_THROW(applyProfiles(schema, sourcesOf("small", "hard"), library_), InvalidConfig);
+  EXPECT_THROW(applyProfiles(schema, sourcesOf("small", "none"), library_), InvalidConfig);
+}
+
 }  // namespace
 }  // namespace lamina

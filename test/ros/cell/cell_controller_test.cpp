@@ -264,6 +264,53 @@ ExecutorReport reportOf(const lamina_msgs::Status& status, const std::string& na
   return reports.empty() ? ExecutorReport() : reports.back();
 }
 
+// A job whose machine was told to stop is not offered to be resumed: the streamer would refuse it. A link
+// that did not come back has told it nothing.
+TEST(StreamExecutor, SaysWhetherTheMachineWasStoppedWithAJobThatRan) {
+  using Status = lamina_msgs::Status;
+  ros::NodeHandle node("stopped_with");
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction>::GoalHandle taken;
+  actionlib::ActionServer<lamina_msgs::StreamProgramAction> streamer(
+      node, names::kStreamProgram, [&taken](auto goal) { taken = goal; }, [](auto) {}, false);
+  streamer.start();
+  ros::Publisher states = node.advertise<lamina_msgs::MachineState>(names::kMachineState, 10, true);
+  std::vector<ExecutorReport> reports;
+  StreamExecutor executor(node, [&reports](const ExecutorReport& report) { reports.push_back(report); });
+  EXPECT_TRUE(waitUntil([&] { return executor.isThere() && states.getNumSubscribers() > 0; }));
+  std::uint64_t order = 0;
+  const auto isLost = [&](std::uint8_t state, std::uint8_t code, const std::string& message) {
+    taken = {};
+    reports.clear();
+    executor.start({"/tmp/part.gcode", ExecutionStart::Resume, ++order, "same"});
+    EXPECT_TRUE(waitUntil([&] { return taken.getGoal() != nullptr; }));
+    taken.setAccepted();
+    lamina_msgs::MachineState machine;
+    machine.state = state;
+    states.publish(machine);
+    EXPECT_TRUE(waitUntil([&] { return !reports.empty(); }));
+    lamina_msgs::StreamProgramResult result;
+    result.status.code = code;
+    result.status.message = message;
+    result.lines_acknowledged = 300;
+    taken.setAborted(result);
+    EXPECT_TRUE(waitUntil([&] { return isAtRest(reports.back().phase); }));
+    return reports.back().has_lost_motions;
+  };
+  constexpr std::uint8_t kRuns = lamina_msgs::MachineState::EXECUTE;
+  const std::string gone = "the port is gone; line 300 of 403 was the last acknowledged";
+  EXPECT_TRUE(isLost(kRuns, Status::TIMED_OUT, "no answer from the machine for 31 s"));
+  EXPECT_TRUE(isLost(kRuns, Status::DISCONNECTED, gone));
+  EXPECT_FALSE(isLost(kRuns, Status::DISCONNECTED,
+                      gone + "; the link did not come back, so that the machine was not commanded to stop: "
+                             "look after it"));
+  EXPECT_FALSE(isLost(kRuns, Status::DISCONNECTED,
+                      "nothing was heard of the machine for 60 s; it may still be printing, and hot: look "
+                      "after it"));
+  EXPECT_FALSE(
+      isLost(lamina_msgs::MachineState::STARTING, Status::TIMED_OUT, "no machine answered within 10 s"))
+      << "the journal keeps what was known before";
+}
+
 // Who cancels a job has given it up; whose process is ended has not.
 TEST(StreamExecutor, RaisesTheAlarmOfWhatHasEndedAJob) {
   using Status = lamina_msgs::Status;

@@ -177,7 +177,7 @@ def operate(page, program):
     name = os.path.basename(program)
     page.state("Stopped")
     check_names(page)
-    page.go_to("Program (G-code)")
+    page.go_to("Program (G-code) or mesh")
     page.browser.find_element(By.ID, "program").send_keys(program)
     page.do("Upload")
     page.wait(lambda: f"Release: {name}" in page.script("return [...document.querySelectorAll('#job-list button')].map((b) => b.ariaLabel)"), "a job")

@@ -15,7 +15,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -47,6 +49,9 @@ std::string wallProgram(int layers) {
   }
   return text;
 }
+
+/// Further fields of the form of an upload.
+using Fields = std::vector<std::pair<std::string, std::string>>;
 
 /// The port of the page in a namespace, as its node reports it.
 class PagePort {
@@ -131,9 +136,13 @@ class CellWithPage {
       return is_started;
     });
   }
-  std::pair<int, json> upload(const std::string& program, const std::string& name) {
-    const std::string form = "--b\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + name +
-                             "\"\r\n\r\n" + program + "\r\n--b--\r\n";
+  std::pair<int, json> upload(const std::string& program, const std::string& name,
+                              const Fields& fields = {}) {
+    std::string form;
+    for (const auto& [field, value] : fields)
+      form += "--b\r\nContent-Disposition: form-data; name=\"" + field + "\"\r\n\r\n" + value + "\r\n";
+    form += "--b\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + name + "\"\r\n\r\n" +
+            program + "\r\n--b--\r\n";
     return ask("POST", "/api/v1/jobs", form, "multipart/form-data; boundary=b");
   }
   const std::string& space() const { return space_; }
@@ -171,6 +180,73 @@ TEST(OperatorPage, IsLaunchedAndSaysThatTheCellIsNotThere) {
   const test::RawClient client(port.next());
   client.send("GET /api/v1/state HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_NE(client.answer().find(R"("is_fresh":false)"), std::string::npos);
+}
+
+/// A box as a mesh of ASCII STL, of so many millimetres in x, and 10 mm in y and z.
+std::string boxMesh(double length_mm) {
+  const std::array<std::array<int, 4>, 6> sides = {
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  const auto vertex = [length_mm](int corner) {
+    return "vertex " + std::to_string((corner & 1) != 0 ? length_mm : 0.0) +
+           ((corner & 2) != 0 ? " 10" : " 0") + ((corner & 4) != 0 ? " 10\n" : " 0\n");
+  };
+  std::string text = "solid box\n";
+  for (const auto& side : sides)
+    for (const auto& [b, c] : {std::pair(1, 2), std::pair(2, 3)})
+      text += "facet normal 0 0 0\nouter loop\n" + vertex(side[0]) +
+              vertex(side[static_cast<std::size_t>(b)]) + vertex(side[static_cast<std::size_t>(c)]) +
+              "endloop\nendfacet\n";
+  return text + "endsolid box\n";
+}
+
+/// Bytes of all files that a cell has kept, one after the other.
+std::string keptBytes(const std::string& folder) {
+  std::string bytes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    bytes += std::string{std::istreambuf_iterator<char>(file), {}};
+  }
+  return bytes;
+}
+
+// slicing_service is launched in this namespace.
+TEST(OperatorPage, SlicesAMeshAndQueuesItsProgramWithTheMesh) {
+  CellWithPage cell("meshes", 100.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  ASSERT_TRUE(waitUntil([&] { return ros::service::exists(cell.space() + "/slice_mesh", false); }));
+  bool is_published = false;
+  ros::NodeHandle node;
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> on_toolpath = [&](const auto&) {
+    is_published = true;
+  };
+  const ros::Subscriber toolpaths =
+      node.subscribe<lamina_msgs::Toolpath>(cell.space() + '/' + names::kToolpath, 1, on_toolpath);
+  const auto [status, sent] = cell.upload(boxMesh(20.0), "box.stl",
+                                          {{"material", "pla"}, {"settings", "slicing.layer_height_mm=0.5"}});
+  ASSERT_EQ(status, 201) << sent;
+  const json queue = cell.state()["queue"];
+  ASSERT_EQ(queue.size(), 1U);
+  EXPECT_EQ(queue[0]["name"], "box.gcode");
+  EXPECT_EQ(queue[0]["state"], "NotAllowedToStart");
+  const std::string kept = keptBytes(cell.folder.path() + "/cell/artefacts");
+  EXPECT_NE(kept.find("endsolid box"), std::string::npos) << "the mesh is not kept";
+  EXPECT_NE(kept.find("slicing.layer_height_mm = 0.5"), std::string::npos) << "its settings do not count";
+  EXPECT_FALSE(is_published) << "nodes that follow a print would take it for that of the print";
+
+  const auto expectRefused = [&](const std::string& mesh, const Fields& fields, const std::string& word) {
+    const auto [code, answer] = cell.upload(mesh, "box.stl", fields);
+    EXPECT_EQ(code, 400) << answer;
+    EXPECT_NE(answer.value("message", "").find(word), std::string::npos) << answer;
+    EXPECT_EQ(answer.value("message", "").find("/uploads/"), std::string::npos) << answer;
+  };
+  expectRefused("solid box\nendsolid box\n", {}, "box.stl");
+  expectRefused(boxMesh(1000.0), {}, "reach");
+  expectRefused(boxMesh(20.0), {{"material", "cheese"}}, "there is no material 'cheese'");
+  expectRefused(boxMesh(20.0), {{"settings", "slicing.layer_hight_mm=0.5"}}, "slicing.layer_height_mm");
+  EXPECT_EQ(cell.state()["queue"].size(), 1U);
+  const std::filesystem::directory_iterator uploads(cell.folder.path() + "/page/uploads");
+  EXPECT_TRUE(uploads == std::filesystem::directory_iterator()) << uploads->path();
 }
 
 TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {

@@ -50,6 +50,11 @@ struct LayeredSettings {
 ///   later source sets machine.name while machine.urdf of an earlier one would still hold
 LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary& library);
 
+/// Sets what the profiles of `sources.material` and `sources.process` state, the material's first. Of
+/// `sources.machine` only the name counts: which machine they have to be meant for, where it has a profile.
+/// @throws as `loadLayered`
+void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const ProfileLibrary& library);
+
 /// Checks the settings as `validate(const JobSettings&)`. Messages end with the places where the settings
 /// that they name were stated.
 /// @throws InvalidConfig

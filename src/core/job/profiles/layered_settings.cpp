@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -115,6 +116,15 @@ void loadProfile(LayeredLoad& load, ProfileKind kind, const std::string& name, c
   load.setProfiles(chain, "--" + std::string(toString(kind)));
 }
 
+/// Sets what a source states at a place.
+void setPlacedIn(SettingsSchema& schema, const PlacedSetting& placed, const std::string& path) {
+  try {
+    schema.set(placed.setting.key, placed.setting.text);
+  } catch (const InvalidConfig& error) {
+    throw InvalidConfig(placeOf(path, placed.line) + ": " + error.what());
+  }
+}
+
 /// Whether the key stands in the text as a word.
 bool names(const std::string& text, const std::string& key) {
   const auto isPart = [](char c) {
@@ -175,6 +185,20 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   requireOneMachine(layered);
   load.setMachineDefaults();
   return layered;
+}
+
+void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const ProfileLibrary& library) {
+  const std::vector<Profile> machine = library.has(ProfileKind::Machine, sources.machine)
+                                           ? library.find(ProfileKind::Machine, sources.machine)
+                                           : std::vector<Profile>();
+  for (const auto& [kind, name] : {std::pair(ProfileKind::Material, sources.material),
+                                   std::pair(ProfileKind::Process, sources.process)}) {
+    if (name.empty()) continue;
+    for (const Profile& profile : library.find(kind, name)) {
+      requireForMachine(profile, machine);
+      for (const PlacedSetting& placed : profile.settings) setPlacedIn(schema, placed, profile.path);
+    }
+  }
 }
 
 void validate(const LayeredSettings& layered) {

@@ -7,15 +7,12 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/job/unstopped_machine.hpp"
 #include "streaming/job/job_record.hpp"
 
 namespace lamina {
 
 class RevisedLines;
-
-/// Remark on a safe stop that could not be sent, for the end of a message.
-constexpr const char* kLinkNotBack =
-    "; the link did not come back, so that the machine was not commanded to stop: look after it";
 
 /// Why a program is incomplete although the machine has received all lines that exist; nothing if it is
 /// complete.

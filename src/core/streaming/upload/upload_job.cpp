@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/duration_text.hpp"
+#include "lamina/streaming/job/unstopped_machine.hpp"
 #include "streaming/upload/print_verdict.hpp"
 
 namespace lamina {
@@ -545,8 +546,7 @@ void UploadJob::lose(double now) {
       (phase_ == Phase::Finish
            ? "the machine has reported the print complete and was not heard of since, for "
            : "nothing was heard of the machine for ") +
-          since + " (" + trouble_ + ")" + record_.whereItStands() +
-          "; it may still be printing, and hot: look after it"};
+          since + " (" + trouble_ + ")" + record_.whereItStands() + kMayStillPrint};
   record_.enter(PackmlState::Aborting);
   close();
 }
