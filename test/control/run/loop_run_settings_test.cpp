@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "lamina/base/error.hpp"
 #include "support/sensed_wall.hpp"
 
 namespace lamina {
