@@ -152,14 +152,14 @@ SettingProbe fitProbe() {
           std::string(kThick) +
               "slicing.mode=volumetric;volumetric.cell_mm=0.5;volumetric.overhang_used_deg=10;machine.name="
               "five_axis_head_table",
-          toolpathOf("bridge length_mm=16 width_mm=6 gap_mm=6 pillar_mm=8 plate_mm=3"),
+          toolpathOf("bridge length_mm=18 width_mm=6 gap_mm=8 pillar_mm=8 plate_mm=3"),
           {{"volumetric.largest_left_out_percent=10"}}};
 }
 
 SettingProbe directionsProbe() {
   return {"pieces along directions of their own",
           std::string(kThick) + "slicing.mode=multi_direction",
-          toolpathOf("bridge length_mm=16 width_mm=6 gap_mm=6 pillar_mm=8 plate_mm=3"),
+          toolpathOf("bridge length_mm=18 width_mm=6 gap_mm=8 pillar_mm=8 plate_mm=3"),
           {{"directions.count=20"},
            {"directions.beam=1"},
            {"directions.most_cuts=1"},

@@ -143,6 +143,7 @@ TEST_P(MachineDepositModels, OfADisturbedProcessGrowsAsItDoes) {
 TEST(MachineDeposit, OfADisturbedProcessGrowsAgainstToolAxesThatLean) {
   lamina::EmulatedMachineSettings settings;
   settings.plant.gain = 0.9;
+  settings.grown.bead_width_mm = planWidth(Bead{kWidth, kHeight});
   const Eigen::Vector3d tool_axis = Eigen::Vector3d(0, 1, -1).normalized();
   const auto deposit = bareBed(lamina::buildSpaceByName("gantry_45"), tool_axis, settings);
   const Bead bead{kWidth, kHeight};
