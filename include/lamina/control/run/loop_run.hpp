@@ -30,6 +30,7 @@
 
 namespace lamina {
 
+class LaidLayer;
 class LayerTrim;
 
 /// A part on its bed.
@@ -202,19 +203,15 @@ class LoopRun {
   void planAnew(const LayerFigures& figures);
   void offerPlan(const LayerFigures& figures, const std::string& reason);
   void blockIfLump();
-  LayerCorrection wanted() const;
-  void layAsPlanned(const std::string& reason);
+  void layAsPlanned();
   void layMapFrom(std::size_t cell);
   void takeMissed();
-  void shiftNozzle();
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsDeposited(double settle_mm) const;
   void leaveBehind(std::int64_t stamp_ns);
-  void realise();
   void publishMap();
   void trimLayer();
   void take(LoopStep step);
-  bool isCorrecting() const;
   bool isDue(std::size_t layer, const LayerFigures& figures) const;
   Point3 correctedTip(const Point3& tip) const;
 
@@ -235,20 +232,7 @@ class LoopRun {
   std::optional<HeightLoop> plan_loop_;  ///< the loop as it continues if that plan is followed
   /// Layer under way; none before the first and after the last one with cells.
   std::optional<std::size_t> layer_;
-  LoopState deposited_in_ = LoopState::Off;
-  /// How the layer under way is to be deposited by its last map.
-  struct Mapped {
-    LayerCorrection correction;
-    std::vector<double> shift_mm;
-    LoopState in = LoopState::Off;
-  };
-  Mapped mapped_;
-  bool is_missed_ = false;  ///< whether part of the layer is not deposited by `mapped_`
-  LayerCorrection laid_;
-  CellCorrections told_;                     ///< for the machine, of the layer's last map
-  std::vector<double> shift_mm_;             ///< shift of the nozzle, by cell
-  double mean_shift_mm_ = 0.0;               ///< mean of that over the layer
-  double last_amount_ = 0.0;                 ///< amount at the end of the layer before
+  std::unique_ptr<LaidLayer> laid_;          ///< never null; of the layer under way
   std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
   std::uint64_t map_sequence_ = 0;           ///< sequence of the layer's last map
   std::optional<std::size_t> trim_refused_;  ///< layer of which a refused map was reported last

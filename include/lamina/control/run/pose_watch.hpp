@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -19,26 +18,12 @@ class PoseWatch {
   /// Adds the time stamp of a cloud.
   /// @param tip_ns  latest time stamp of a pose; nothing before the first one
   /// @return time for which no pose has come [s]; at most 0 if there is one as new as the cloud
-  double hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns) {
-    const bool says_nothing = !tip_ns || seconds(stamp_ns, *tip_ns) > kClockBack;
-    // A stamp far off the one before is garbled, or the first one by another clock.
-    const bool is_first = !last_ns_ || std::abs(seconds(*last_ns_, stamp_ns)) > kClockBack;
-    last_ns_ = stamp_ns;
-    if (!says_nothing)
-      first_ns_.reset();
-    else if (!first_ns_ || is_first)
-      first_ns_ = stamp_ns;
-    return seconds(first_ns_.value_or(tip_ns.value_or(stamp_ns)), stamp_ns);
-  }
+  double hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns);
 
   /// Whether the last pose says nothing of the clouds' time: there is none, or it is of another clock.
   bool isWithoutPose() const { return first_ns_.has_value(); }
 
  private:
-  static double seconds(std::int64_t begin_ns, std::int64_t end_ns) {
-    return static_cast<double>(end_ns - begin_ns) / 1e9;
-  }
-
   std::optional<std::int64_t> first_ns_;  ///< of the clouds of which the last pose says nothing
   std::optional<std::int64_t> last_ns_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "control/run/cell_corrections.hpp"
+#include "control/run/laid_layer.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
 #include "control/run/loop_plan.hpp"
@@ -15,12 +16,10 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/control/run/run_calibration.hpp"
-#include "lamina/control/z_follow.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kShiftBack = 0.2;           // layers per layer, as the nozzle's height is followed
 constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
 
 }  // namespace
@@ -33,7 +32,8 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       progress_(part_.toolpath, settings.following),
       taught_(part_.toolpath, {part_.toolpath_id, part_.machine, settings.material}, settings),
       stability_(checkStart(part_.toolpath, part_.machine, settings)),
-      atlas_(settings.sight.window_layers) {
+      atlas_(settings.sight.window_layers),
+      laid_(std::make_unique<LaidLayer>()) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
   loop_.emplace(settings_.loop, normal_);
@@ -60,8 +60,7 @@ void LoopRun::resume(const LoopMemory& memory) {
                 ? memory.status
                 : afterRequest(settings_.request, stability_);
   gain_at_check_ = memory.gain_at_check;
-  last_amount_ = memory.last_amount;
-  mean_shift_mm_ = memory.mean_shift_mm;
+  laid_->carryOver(memory.last_amount, memory.mean_shift_mm);
   news_ = {};
   progress_.resume(memory.layer + 1);
   atlas_.add(std::make_shared<const LayerCells>(std::move(cells)));
@@ -70,7 +69,8 @@ void LoopRun::resume(const LoopMemory& memory) {
 }
 
 LoopMemory LoopRun::memory(std::size_t layer) const {
-  return {identity(), layer, status_, gain_at_check_, last_amount_, mean_shift_mm_, loop_->stored()};
+  return {identity(),         layer,          status_, gain_at_check_, laid_->lastAmount(),
+          laid_->meanShift(), loop_->stored()};
 }
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
@@ -92,8 +92,6 @@ void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   const bool is_refused = !stability_.may_start && status_.state != LoopState::Off;
   if (waits || is_refused) status_ = afterRequest(request, stability_);
 }
-
-bool LoopRun::isCorrecting() const { return lamina::isCorrecting(status_.state); }
 
 void LoopRun::observe(const StampedTip& pose) {
   ++counts_.poses;
@@ -166,7 +164,7 @@ void LoopRun::missMap(const MissedMap& missed) {
   }
   if (missed.held_from)
     return layMapFrom(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
-  const bool is_otherwise = !isAllZero(laid_.amount) || !isAllZero(shift_mm_);
+  const bool is_otherwise = !laid_->isAsPlanned();
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
@@ -193,8 +191,8 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   atlas_ = CellAtlas(settings_.sight.window_layers);
   below_.clear();
   below_layer_ = 0;
-  if (isCorrecting()) status_ = afterReplan(status_, plan_->raised_mm);
-  mean_shift_mm_ = last_amount_ = 0.0;
+  if (isCorrecting(status_.state)) status_ = afterReplan(status_, plan_->raised_mm);
+  laid_->carryOver(0.0, 0.0);
   short_mm_ = plan_->short_mm;
   layer_alarms_.clear();
   trim_refused_.reset();
@@ -221,29 +219,17 @@ bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reas
 /// Cells that went to the machine before their map were deposited as planned. The trim of the layer expected
 /// otherwise, and would take the difference for an error.
 void LoopRun::layMapFrom(std::size_t cell) {
-  if (cell == 0 && !is_missed_) return;
-  is_missed_ = cell > 0;
+  if (cell == 0 && !laid_->isMapMissed()) return;
   trim_.reset();
-  LayerCorrection laid = mapped_.correction;
-  shift_mm_ = mapped_.shift_mm;
-  deposited_in_ = mapped_.in;
-  std::fill_n(laid.amount.begin(), cell, 0.0);
-  std::fill_n(shift_mm_.begin(), cell, 0.0);
-  if (cell == laid.amount.size()) {
-    laid.limited_share = 0.0;
-    deposited_in_ = LoopState::Coasting;
-  }
-  loop_->relay(laid);
-  laid_ = std::move(laid);
-  mean_shift_mm_ = meanOverCells(loop_->cells(), shift_mm_);
-  last_amount_ = laid_.amount.back();
+  laid_->layMapFrom(loop_->cells(), cell);
+  loop_->relay(laid_->correction());
 }
 
 /// The nozzle where the plan has it: what the loop shifts it by is off.
 Point3 LoopRun::correctedTip(const Point3& tip) const {
-  if (!layer_ || progress_.place().layer != *layer_ || isAllZero(shift_mm_)) return tip;
+  if (!layer_ || progress_.place().layer != *layer_ || isAllZero(laid_->shift())) return tip;
   const auto cell = cellAt(loop_->cells(), progress_.place());
-  return cell ? Point3(tip - shift_mm_[*cell] * normal_) : tip;
+  return cell ? Point3(tip - laid_->shift()[*cell] * normal_) : tip;
 }
 
 void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
@@ -344,10 +330,8 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
 /// What is deposited stays: the maps differ in what is to come.
 void LoopRun::trimLayer() {
   if (!trim_->advance(cellsDeposited(0.0), loop_->estimates())) return;
-  laid_.amount = trim_->amount();
-  realise();
-  loop_->relay(laid_);
-  last_amount_ = laid_.amount.back();
+  laid_->trim(loop_->cells(), trim_->amount(), settings_.loop);
+  loop_->relay(laid_->correction());
   ++map_sequence_;
   publishMap();
 }
@@ -419,24 +403,15 @@ void LoopRun::beginLayer(std::size_t layer) {
   lump_.reset();
   fallen_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
-  deposited_in_ = status_.state;
-  laid_ = wanted();
-  shiftNozzle();
-  if (is_catching_up_)
-    layAsPlanned(
-        "layer " + std::to_string(*layer_) +
-        " was begun while nobody followed the print; expected its map before: it counts as deposited as "
-        "planned");
-  realise();
-  std::vector<double> nozzle_error = shift_mm_;
+  laid_->decide(*loop_, status_.state, settings_);
+  if (is_catching_up_) layAsPlanned();
+  std::vector<double> nozzle_error = laid_->shift();
   for (double& error : nozzle_error) error = -error;
-  loop_->lay(laid_, nozzle_error);
-  last_amount_ = laid_.amount.back();
+  loop_->lay(laid_->correction(), nozzle_error);
   map_sequence_ = 0;
-  is_missed_ = false;
   trim_.reset();
   if (status_.state == LoopState::Active && !is_catching_up_)
-    if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_.amount, settings_.loop))
+    if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_->correction().amount, settings_.loop))
       trim_ = std::make_unique<LayerTrim>(*std::move(trim));
   atlas_.add(shared);
   atlas_.setDeposited(layer, 0);
@@ -453,13 +428,14 @@ void LoopRun::takeMissed() {
 }
 
 /// Its map comes too late for the machine.
-void LoopRun::layAsPlanned(const std::string& reason) {
-  laid_.amount.assign(loop_->cells().size(), 0.0);
-  laid_.limited_share = 0.0;
-  shift_mm_.assign(loop_->cells().size(), 0.0);
-  mean_shift_mm_ = 0.0;
-  deposited_in_ = LoopState::Coasting;
-  take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reason}}});
+void LoopRun::layAsPlanned() {
+  laid_->layAsPlanned(loop_->cells(), settings_.loop);
+  take(
+      {status_,
+       {{LoopAlarm::MapLate, LoopReaction::Coast,
+         "layer " + std::to_string(*layer_) +
+             " was begun while nobody followed the print; expected its map before: it counts as deposited as "
+             "planned"}}});
 }
 
 void LoopRun::blockIfLump() {
@@ -468,46 +444,8 @@ void LoopRun::blockIfLump() {
   take(beforeLayer(status_, lump, settings_.head_clearance_mm));
 }
 
-/// Of a loop that no longer corrects: what the layer before ended with fades.
-LayerCorrection LoopRun::wanted() const {
-  LayerCorrection correction = loop_->correction(status_.state);
-  if (isCorrecting() || last_amount_ == 0.0) return correction;
-  const std::vector<double> from(correction.amount.size(), last_amount_);
-  correction.amount = fadedCorrection(loop_->cells(), from, correction.amount, 0, settings_.loop);
-  return correction;
-}
-
-/// Back to the plan, a little in each layer, unless the loop is active.
-void LoopRun::shiftNozzle() {
-  const LayerCells& cells = loop_->cells();
-  const double height = meanOverCells(cells, cells.height_mm);
-  if (status_.state == LoopState::Active) {
-    const NozzleRoom room{height, highestCell(loop_->estimates()), settings_.head_clearance_mm};
-    LayerKnowledge known = loop_->knowledge();
-    // Of a pressed layer that nobody saw the estimate is the nozzle's plane: it would take back the shift.
-    if (settings_.loop.process == LoopProcess::Pressed)
-      known.error_mm.assign(cells.size(), loop_->seenError().value_or(0.0));
-    shift_mm_ = nozzleShift(cells, known, mean_shift_mm_, room, settings_.loop);
-  } else {
-    const double step = kShiftBack * height;
-    shift_mm_.assign(cells.size(), mean_shift_mm_ - std::clamp(mean_shift_mm_, -step, step));
-  }
-  mean_shift_mm_ = meanOverCells(cells, shift_mm_);
-}
-
-/// What the speeds that the machine may go leave of the correction is what is laid.
-void LoopRun::realise() {
-  RealisedCorrection result = realised(loop_->cells(), laid_, shift_mm_, settings_.loop);
-  laid_ = std::move(result.laid);
-  told_ = std::move(result.told);
-  mapped_ = {laid_, shift_mm_, deposited_in_};
-}
-
 void LoopRun::publishMap() {
-  CorrectionMap map{part_.toolpath_id, *layer_, map_sequence_, {}};
-  if (!told_.amount.empty() || !told_.dz_mm.empty())
-    map = correctionMap(loop_->cells(), told_, part_.toolpath_id, map_sequence_);
-  news_.maps.push_back(std::move(map));
+  news_.maps.push_back(laid_->map(loop_->cells(), part_.toolpath_id, map_sequence_));
 }
 
 /// Layers without a scan pass are not judged where others have one, unless they were seen.
@@ -521,7 +459,7 @@ void LoopRun::endLayer() {
   figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
   // The profiles by which a sensor was found to be stuck were read.
   if (isAmong(layer_alarms_, LoopAlarm::Stuck)) figures.is_measured = false;
-  taught_.end(*loop_, laid_.amount);
+  taught_.end(*loop_, laid_->correction().amount);
   below_ = loop_->estimates();
   below_layer_ = *layer_;
   if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
@@ -534,13 +472,14 @@ void LoopRun::endLayer() {
 }
 
 LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
-  LayerOutcome outcome{figures, deposited_in_, layer_alarms_, {}};
+  LayerOutcome outcome{figures, laid_->state(), layer_alarms_, {}};
+  const std::vector<double>& amount = laid_->correction().amount;
   const LayerCells& cells = loop_->cells();
   outcome.cells.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const CellEstimate& cell = loop_->estimates()[i];
     outcome.cells.push_back(
-        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), laid_.amount[i], cell.isSeen()});
+        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), amount[i], cell.isSeen()});
   }
   return outcome;
 }

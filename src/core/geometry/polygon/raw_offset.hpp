@@ -12,6 +12,7 @@ namespace lamina {
 /// point where the moved edges meet, if both are long enough; otherwise the outline doubles back over the old
 /// corner, so that area which must not be enclosed is wound in reverse. Fewer than three distinct points give
 /// an empty polygon.
+/// @param delta  [mm]; negative moves edges to their left, inwards
 Polygon rawOffset(const Polygon& polygon, double delta);
 
 }  // namespace lamina

@@ -12,11 +12,11 @@ namespace lamina {
 /// Limits of a joint, as the search among its values needs them.
 struct JointRange {
   bool is_rotary = false;
-  bool winds = false;   ///< whether the joint is rotary and can turn on by a whole turn
-  double low = 0.0;     ///< [mm, rad]
-  double high = 0.0;    ///< [mm, rad]
-  double middle = 0.0;  ///< middle of the limits; 0 if there are none
-  double max_speed = 0.0;
+  bool winds = false;      ///< whether the joint is rotary and can turn on by a whole turn
+  double low = 0.0;        ///< [mm, rad]
+  double high = 0.0;       ///< [mm, rad]
+  double middle = 0.0;     ///< middle of the limits; 0 if there are none
+  double max_speed = 0.0;  ///< [mm/s or rad/s]
 };
 
 /// Ranges of joints.
@@ -24,13 +24,14 @@ struct JointRange {
 std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints);
 
 /// The value equal to the given one but for whole turns that is nearest to the middle of the limits. It is
-/// within the limits if any such value is.
+/// within the limits if any such value is. The value of a joint that slides stays as it is.
+/// @param value  [mm or rad]
 double nearMiddle(const JointRange& range, double value);
 
 /// Whether a value is within the limits, with a tolerance of 1e-9 mm or rad.
 bool isWithin(const JointRange& range, double value);
 
-/// Difference from one value to another; of a joint that winds by the shorter way.
+/// Difference from one value to another [mm or rad]; of a joint that winds by the shorter way.
 double stepBetween(const JointRange& range, double from, double to);
 
 /// "12.5 deg".

@@ -45,6 +45,8 @@ class GrowthGauge {
 
 /// The overhang, at most the one given, for which layers at a level underside are no thicker than
 /// `max_thickness`.
+/// @param max_thickness  relative to the nominal layer height; at least 1
+/// @return [rad]
 double overhangWithin(double overhang_rad, double max_thickness);
 
 }  // namespace lamina

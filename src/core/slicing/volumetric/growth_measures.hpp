@@ -43,6 +43,7 @@ struct GrownThickness {
 
 /// Thickness of layers by least squares over neighbouring cells. Cells with a neighbour that grows another
 /// way, where fronts meet, are left out.
+/// @param max_thickness  thickness that `beyond` allows, relative to the nominal layer height; at least 1
 GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& lattice, double max_thickness);
 
 /// Number of cells that are reached before all their neighbours, that is, where growth begins in the air.

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control/run/laid_layer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "control/run/cell_corrections.hpp"
+#include "control/run/layer_ground.hpp"
+#include "lamina/control/z_follow.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kShiftBack = 0.2;  // layers per layer, as the nozzle's height is followed
+
+}  // namespace
+
+void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
+  last_amount_ = last_amount;
+  mean_shift_mm_ = mean_shift_mm;
+}
+
+void LaidLayer::decide(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings) {
+  state_ = state;
+  is_map_missed_ = false;
+  laid_ = wanted(loop, state, settings.loop);
+  shiftNozzle(loop, state, settings);
+  realise(loop.cells(), settings.loop);
+}
+
+void LaidLayer::layAsPlanned(const LayerCells& cells, const LoopSettings& settings) {
+  state_ = LoopState::Coasting;
+  laid_.amount.assign(cells.size(), 0.0);
+  laid_.limited_share = 0.0;
+  shift_mm_.assign(cells.size(), 0.0);
+  mean_shift_mm_ = 0.0;
+  realise(cells, settings);
+}
+
+void LaidLayer::trim(const LayerCells& cells, std::vector<double> amount, const LoopSettings& settings) {
+  laid_.amount = std::move(amount);
+  realise(cells, settings);
+}
+
+void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell) {
+  is_map_missed_ = cell > 0;
+  laid_ = mapped_.correction;
+  shift_mm_ = mapped_.shift_mm;
+  state_ = mapped_.state;
+  std::fill_n(laid_.amount.begin(), cell, 0.0);
+  std::fill_n(shift_mm_.begin(), cell, 0.0);
+  if (cell == laid_.amount.size()) {
+    laid_.limited_share = 0.0;
+    state_ = LoopState::Coasting;
+  }
+  mean_shift_mm_ = meanOverCells(cells, shift_mm_);
+  last_amount_ = laid_.amount.back();
+}
+
+bool LaidLayer::isAsPlanned() const { return isAllZero(laid_.amount) && isAllZero(shift_mm_); }
+
+CorrectionMap LaidLayer::map(const LayerCells& cells, const std::string& toolpath_id,
+                             std::uint64_t sequence) const {
+  if (told_.amount.empty() && told_.dz_mm.empty()) return {toolpath_id, cells.layer, sequence, {}};
+  return correctionMap(cells, told_, toolpath_id, sequence);
+}
+
+/// Of a loop that no longer corrects: what the layer before ended with fades.
+LayerCorrection LaidLayer::wanted(const HeightLoop& loop, LoopState state,
+                                  const LoopSettings& settings) const {
+  LayerCorrection correction = loop.correction(state);
+  if (isCorrecting(state) || last_amount_ == 0.0) return correction;
+  const std::vector<double> from(correction.amount.size(), last_amount_);
+  correction.amount = fadedCorrection(loop.cells(), from, correction.amount, 0, settings);
+  return correction;
+}
+
+/// Back to the plan, a little in each layer, unless the loop is active.
+void LaidLayer::shiftNozzle(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings) {
+  const LayerCells& cells = loop.cells();
+  const double height = meanOverCells(cells, cells.height_mm);
+  if (state == LoopState::Active) {
+    const NozzleRoom room{height, highestCell(loop.estimates()), settings.head_clearance_mm};
+    LayerKnowledge known = loop.knowledge();
+    // Of a pressed layer that nobody saw the estimate is the nozzle's plane: it would take back the shift.
+    if (settings.loop.process == LoopProcess::Pressed)
+      known.error_mm.assign(cells.size(), loop.seenError().value_or(0.0));
+    shift_mm_ = nozzleShift(cells, known, mean_shift_mm_, room, settings.loop);
+  } else {
+    const double step = kShiftBack * height;
+    shift_mm_.assign(cells.size(), mean_shift_mm_ - std::clamp(mean_shift_mm_, -step, step));
+  }
+  mean_shift_mm_ = meanOverCells(cells, shift_mm_);
+}
+
+/// What the speeds that the machine may go leave of the correction is what is laid.
+void LaidLayer::realise(const LayerCells& cells, const LoopSettings& settings) {
+  RealisedCorrection result = realised(cells, laid_, shift_mm_, settings);
+  laid_ = std::move(result.laid);
+  told_ = std::move(result.told);
+  mapped_ = {laid_, shift_mm_, state_};
+  last_amount_ = laid_.amount.back();
+}
+
+}  // namespace lamina

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control/run/laid_layer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/control_layers.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTolerance = 1e-12;
+
+/// A loop at the start of its first layer: a bead 1.5 mm high, in 40 cells.
+HeightLoop begunLoop() {
+  HeightLoop loop(LoopSettings{});
+  loop.beginLayer(test::straightBeads({0.0}, 60.0, 1.5));
+  return loop;
+}
+
+/// That bead over a layer whose nozzle was 0.5 mm too high: a fifth of the layer's height, 0.3 mm, is taken
+/// back.
+LaidLayer layerOverAShiftedOne(const HeightLoop& loop) {
+  LaidLayer layer;
+  layer.carryOver(0.0, 0.5);
+  layer.decide(loop, LoopState::Off, LoopRunSettings{});
+  return layer;
+}
+
+TEST(LaidLayer, TakesAShiftBackByAFifthOfALayer) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  ASSERT_EQ(layer.shift().size(), 40U);
+  EXPECT_NEAR(layer.shift().front(), 0.2, kTolerance);
+  EXPECT_NEAR(layer.shift().back(), 0.2, kTolerance);
+  EXPECT_FALSE(layer.isAsPlanned());
+  layer.decide(loop, LoopState::Off, LoopRunSettings{});
+  EXPECT_NEAR(layer.meanShift(), 0.0, kTolerance);
+  EXPECT_TRUE(layer.map(loop.cells(), "wall", 0).paths.empty());
+}
+
+TEST(LaidLayer, IsAsPlannedOnCellsThatMissedItsMap) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  layer.layMapFrom(loop.cells(), 10);
+  EXPECT_TRUE(layer.isMapMissed());
+  EXPECT_EQ(layer.shift()[9], 0.0);
+  EXPECT_NEAR(layer.shift()[10], 0.2, kTolerance);
+  EXPECT_NEAR(layer.meanShift(), 0.15, kTolerance);  // 0.2 mm on 30 of 40 cells
+  EXPECT_EQ(layer.state(), LoopState::Off);
+}
+
+TEST(LaidLayer, CoastsIfAllCellsMissedItsMap) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  layer.layMapFrom(loop.cells(), 40);
+  EXPECT_EQ(layer.state(), LoopState::Coasting);
+  EXPECT_TRUE(layer.isAsPlanned());
+}
+
+TEST(LaidLayer, HasItsMapAgainIfItTurnsOutThatNoneMissedIt) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  layer.layMapFrom(loop.cells(), 40);
+  layer.layMapFrom(loop.cells(), 0);
+  EXPECT_FALSE(layer.isMapMissed());
+  EXPECT_EQ(layer.state(), LoopState::Off);
+  EXPECT_NEAR(layer.shift().front(), 0.2, kTolerance);
+}
+
+TEST(LaidLayer, LosesItsMapIfLaidAsPlanned) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  layer.layAsPlanned(loop.cells(), LoopSettings{});
+  EXPECT_EQ(layer.state(), LoopState::Coasting);
+  EXPECT_EQ(layer.meanShift(), 0.0);
+  EXPECT_TRUE(layer.map(loop.cells(), "wall", 0).paths.empty());
+}
+
+TEST(LaidLayer, KeepsItsShiftAsItIsTrimmed) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer = layerOverAShiftedOne(loop);
+  layer.trim(loop.cells(), std::vector<double>(40, 0.1), LoopSettings{});
+  EXPECT_EQ(layer.lastAmount(), 0.1);
+  const CorrectionMap map = layer.map(loop.cells(), "wall", 1);
+  ASSERT_EQ(map.paths.size(), 1U);
+  EXPECT_EQ(map.sequence, 1U);
+  EXPECT_EQ(map.paths[0].stations[5].amount, 0.1);
+  EXPECT_NEAR(map.paths[0].stations[5].dz_mm, 0.2, kTolerance);
+}
+
+}  // namespace
+}  // namespace lamina
