@@ -174,10 +174,12 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     raise(step, alarm, LoopReaction::Coast, reason);
     coast(step, why, reason);
   };
+  const bool is_stuck = isStuck(watch.profiles, watch.variance_mm2);
+  const bool is_left_out = is_stuck && watch.is_seen_otherwise;
   if (watch.is_scanning && watch.silent_s > settings.silence_s)
     lose(LoopAlarm::Silent, CoastingFor::Sight,
-         "no cloud for " + value(watch.silent_s, " s") + "; expected one every " +
-             value(settings.silence_s, " s"));
+         std::string("no cloud") + (is_left_out ? " of a sensor that is not stuck" : "") + " for " +
+             value(watch.silent_s, " s") + "; expected one every " + value(settings.silence_s, " s"));
   else if (watch.is_scanning && watch.blind_s > settings.silence_s)
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but no pose of the nozzle for " + value(watch.blind_s, " s") + "; expected one every " +
@@ -186,14 +188,16 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
              "; expected one every " + value(settings.silence_s, " s"));
-  if (isStuck(watch.profiles, watch.variance_mm2) && watch.is_seen_otherwise)
+  if (is_left_out)
     raise(step, LoopAlarm::Stuck, LoopReaction::Warn,
           stuckReason(watch) + "; its clouds are left out, those of the others count");
-  else if (isStuck(watch.profiles, watch.variance_mm2))
+  else if (is_stuck)
     lose(LoopAlarm::Stuck, CoastingFor::Sight, stuckReason(watch));
   if (watch.time_offset_sigmas > kOffsetSigmas)
     lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset,
-         "the sensor's time offset has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
+         (watch.offset_sensor.empty() ? "the sensor's time offset"
+                                      : "the time offset of sensor '" + watch.offset_sensor + "'") +
+             " has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
              value(watch.time_offset_sigmas, "") + " standard deviations; expected 3 at most: calibrate it");
   if (watch.map_late_s > 0.0 && watch.map_late_s >= settings.wait_s)
     raise(step, LoopAlarm::MapLate, LoopReaction::Coast,
