@@ -104,6 +104,8 @@ struct SensorWatch {
 
 /// Whether such profiles are those of a stuck sensor.
 bool isStuck(int profiles, double variance_mm2);
+/// Whether a sensor is stuck whose clouds are left out, as another one measures.
+bool isLeftOut(const SensorWatch& watch);
 
 /// Judges what the sensor does. A stuck sensor is a warning if another one measures. Without effect while the
 /// loop is off or blocked.

@@ -156,6 +156,10 @@ bool isStuck(int profiles, double variance_mm2) {
   return profiles >= kStuckProfiles && !(variance_mm2 >= kStuckVariance);
 }
 
+bool isLeftOut(const SensorWatch& watch) {
+  return watch.is_seen_otherwise && isStuck(watch.profiles, watch.variance_mm2);
+}
+
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report) {
   LoopStatus next;
   if (request == LoopRequest::Off) return next;
@@ -174,11 +178,9 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     raise(step, alarm, LoopReaction::Coast, reason);
     coast(step, why, reason);
   };
-  const bool is_stuck = isStuck(watch.profiles, watch.variance_mm2);
-  const bool is_left_out = is_stuck && watch.is_seen_otherwise;
   if (watch.is_scanning && watch.silent_s > settings.silence_s)
     lose(LoopAlarm::Silent, CoastingFor::Sight,
-         std::string("no cloud") + (is_left_out ? " of a sensor that is not stuck" : "") + " for " +
+         std::string("no cloud") + (isLeftOut(watch) ? " of a sensor that is not stuck" : "") + " for " +
              value(watch.silent_s, " s") + "; expected one every " + value(settings.silence_s, " s"));
   else if (watch.is_scanning && watch.blind_s > settings.silence_s)
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
@@ -188,10 +190,10 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
              "; expected one every " + value(settings.silence_s, " s"));
-  if (is_left_out)
+  if (isLeftOut(watch))
     raise(step, LoopAlarm::Stuck, LoopReaction::Warn,
           stuckReason(watch) + "; its clouds are left out, those of the others count");
-  else if (is_stuck)
+  else if (isStuck(watch.profiles, watch.variance_mm2))
     lose(LoopAlarm::Stuck, CoastingFor::Sight, stuckReason(watch));
   if (watch.time_offset_sigmas > kOffsetSigmas)
     lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset,

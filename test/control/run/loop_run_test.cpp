@@ -174,6 +174,7 @@ StuckBeside stuckBeside(const SensedWall& printed, const LoopRunSettings& settin
   for (const StampedTip& tip : printed.tips) {
     run.observe(tip);
     for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= tip.stamp_ns; ++cloud) {
+      run.hear(printed.clouds[cloud].stamp_ns);
       if (cloud < silent_from) run.see(printed.clouds[cloud]);
       SensedCloud stuck = printed.clouds[cloud];
       if (stuck.stamp_ns < from_ns) continue;

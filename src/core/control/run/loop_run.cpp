@@ -305,8 +305,7 @@ void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isome
 
 void LoopRun::watchOffset() {
   const auto offset = offset_.offset(loop_->cells(), settings_.calibration.time_offset_sigma_s);
-  if (!offset) return;
-  offset_left_ = *offset;
+  offset_left_ = offset.value_or(offset_left_);
   watch(0.0);
 }
 
@@ -377,12 +376,13 @@ void LoopRun::use(const std::string& sensor, const LayerReading& reading) {
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
   seen.is_scanning = progress_.place().is_scanning || pose_watch_.isWithoutPose();
+  sensors_.judge(progress_.place().layer, seen);
   // Of clouds that come, and that tf does not place, the sensor is not the cause.
-  const bool hears = heard_ns_ && tip_ns_ && secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
+  const bool hears = !isLeftOut(seen) && heard_ns_ && tip_ns_ &&
+                     secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
   seen.silent_s = hears ? 0.0 : silent_s_;
   seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = blind_s;
-  sensors_.judge(progress_.place().layer, seen);
   judge(offset_left_, seen);
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   step.alarms = watched_.risen(std::move(step.alarms));
