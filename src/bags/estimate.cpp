@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimate.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -155,9 +156,37 @@ nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
           {"clouds", print.feed.received},
           {"clouds_read", print.counts.clouds_read},
           {"clouds_late", print.counts.clouds_late},
+          {"clouds_stuck", print.counts.clouds_stuck},
+          {"clouds_without_frame", print.feed.without_frame},
+          {"clouds_without_offset", print.feed.without_offset},
+          {"clouds_malformed", print.feed.malformed},
+          {"clouds_without_transform", print.feed.without_transform},
+          {"clouds_waiting", print.feed.waiting + print.counts.clouds_waiting},
+          {"clouds_pushed_out", print.feed.pushed_out},
+          {"clouds_of_former_print", print.feed.of_former_print},
           {"readings_used", print.counts.readings_used},
           {"readings_contested", print.counts.readings_contested},
           {"trims_refused", print.counts.trims_refused}};
+}
+
+/// Those received, and by what became of them the numbers of which they are the sum.
+std::string cloudsText(const EstimatedPrint& print) {
+  const FeedCounts& feed = print.feed;
+  std::string text =
+      std::to_string(feed.received) + " received, " + std::to_string(print.counts.clouds_read) + " read, " +
+      std::to_string(print.counts.clouds_late) + " late, " + std::to_string(feed.without_transform) +
+      " without transform, " + std::to_string(feed.malformed) + " malformed";
+  const auto addIfAny = [&text](std::uint64_t clouds, const std::string& what) {
+    if (clouds > 0) text += ", " + std::to_string(clouds) + " " + what;
+  };
+  addIfAny(print.counts.clouds_stuck, "of a stuck sensor");
+  addIfAny(feed.without_offset,
+           "of frame '" + feed.last_without_offset + "', which sensor.other_time_offsets_s does not name");
+  addIfAny(feed.without_frame, "without frame or stamp");
+  addIfAny(feed.waiting + print.counts.clouds_waiting, "waiting for tf");
+  addIfAny(feed.pushed_out, "pushed out");
+  addIfAny(feed.of_former_print, "of the print before");
+  return text;
 }
 
 void printText(const EstimatedPrint& print) {
@@ -173,12 +202,7 @@ void printText(const EstimatedPrint& print) {
   }
   for (const RaisedAlarm& alarm : print.alarms)
     std::printf("alarm %d: %s\n", static_cast<int>(alarm.alarm), alarm.reason.c_str());
-  std::printf("clouds: %lu received, %lu read, %lu late, %lu without transform, %lu malformed\n",
-              static_cast<unsigned long>(print.feed.received),
-              static_cast<unsigned long>(print.counts.clouds_read),
-              static_cast<unsigned long>(print.counts.clouds_late),
-              static_cast<unsigned long>(print.feed.without_transform),
-              static_cast<unsigned long>(print.feed.malformed));
+  std::printf("clouds: %s\n", cloudsText(print).c_str());
 }
 
 void estimate(const EstimateArguments& arguments, OutputFormat format) {

@@ -124,7 +124,8 @@ class PrintReader {
     if (feed_.run() == nullptr) return;
     feed_.finish();
     tell();
-    receivers_.ends(*feed_.run(), feed_.counts());
+    receivers_.ends(*feed_.run(), since(before_, feed_.counts()));
+    before_ = feed_.counts();
   }
 
   void tell() {
@@ -135,6 +136,7 @@ class PrintReader {
   std::string profile_;
   std::string applied_;
   LoopFeed feed_;
+  FeedCounts before_;  ///< at the end of the print before
   PrintReceivers receivers_;
   std::deque<std::pair<ros::Time, Late>> behind_;
 };

@@ -77,6 +77,33 @@ TEST(HeightLoop, CountsALayerThatIsHardlySeenAsUnmeasured) {
   EXPECT_EQ(figures.gain_mean, 1.0) << "nothing is learnt";
 }
 
+/// As if none had come: a sensor that is found to be stuck has shown the layer as high as planned.
+TEST(HeightLoop, ForgetsWhatCloudsShowedOfALayer) {
+  HeightLoop unseen = loopAfter({}, 5, 0.9);
+  unseen.beginLayer(layerOf(5, {0.0, 3.0}));  // of the second bead nothing is below
+  unseen.lay(unseen.correction(LoopState::Identifying));
+  HeightLoop seen = unseen;
+  for (const double error_mm : {0.85, 0.8, 0.0, 0.0, 0.0}) seeAll(seen, error_mm);
+  EXPECT_GT(std::abs(seen.estimates()[0].error() - unseen.estimates()[0].error()), 0.02);
+  seen.forgetClouds();
+  const LayerFigures figures = seen.endLayer();
+  const LayerFigures expected = unseen.endLayer();
+  EXPECT_FALSE(figures.is_measured);
+  EXPECT_EQ(figures.coverage, 0.0);
+  EXPECT_EQ(figures.gain_mean, expected.gain_mean);
+  EXPECT_EQ(figures.spread, expected.spread);
+  for (std::size_t i = 0; i < seen.cells().size(); ++i) {
+    const CellEstimate& cell = seen.estimates()[i];
+    EXPECT_NEAR(cell.error(), unseen.estimates()[i].error(), 1e-6) << i;
+    EXPECT_EQ(cell.isKnown(), unseen.estimates()[i].isKnown()) << i;
+    EXPECT_FALSE(cell.contested()) << i;
+  }
+  unseen.beginLayer(layerOf(6, {0.0, 3.0}));
+  seen.beginLayer(layerOf(6, {0.0, 3.0}));
+  EXPECT_NEAR(seen.correction(LoopState::Active).amount[0], unseen.correction(LoopState::Active).amount[0],
+              1e-6);
+}
+
 /// Of two beads side by side, one over nothing, the sensor sees the other alone, 0.2 mm too low.
 TEST(HeightLoop, FindsTheErrorsOfTheCellsThatItSaw) {
   LoopSettings settings;

@@ -37,6 +37,13 @@ struct ReadingOutcome {
   double surprise = 0.0;
 };
 
+/// The error of a cell as it was predicted before any reading.
+struct PredictedError {
+  double error_mm = 0.0;
+  double sigma_mm = 0.0;  ///< standard deviation of the layer's growth
+  bool is_known = true;   ///< whether the prediction derives from a reading or a known surface
+};
+
 /// The gain of a cell, measured over one or more layers.
 struct MeasuredGain {
   double gain = 1.0;          ///< measured over commanded growth
@@ -93,6 +100,11 @@ class CellEstimate {
   /// `assumed`, the correction that was given to `lay`. The expected error is corrected only if the cell was
   /// not seen since.
   void relay(double planned_mm, double assumed, double correction);
+
+  /// Takes back the readings since the last layer was deposited, if any was used or believed.
+  void forget(const PredictedError& predicted);
+  /// Growth commanded since the gain was last measured, or since the height is known [mm].
+  double commanded() const { return static_cast<double>(commanded_mm_); }
 
   /// Refers the estimate to a new plan that is higher by `raised_mm` at this cell and deposits `flow` times
   /// the volume.

@@ -113,6 +113,10 @@ class HeightLoop {
   /// of at least a bead's width are believed.
   void endCloud();
 
+  /// Takes back what the clouds showed of the layer since `lay`, as they turned out to be wrong: its cells
+  /// are as predicted and not seen, and the layer is not measured unless further clouds show it.
+  void forgetClouds();
+
   /// Ends the layer, and learns the gain from it if it was measured.
   LayerFigures endLayer();
 

@@ -98,11 +98,14 @@ struct SensorWatch {
   bool is_seen_otherwise = false;   ///< whether another sensor measures, in this layer or the one before
   double time_offset_s = 0.0;       ///< observed less calibrated time offset
   double time_offset_sigmas = 0.0;  ///< magnitude of `time_offset_s` in standard deviations
+  std::string offset_sensor = {};   ///< name of the sensor that it is that of; empty if it has none
   double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
 
 /// Whether such profiles are those of a stuck sensor.
 bool isStuck(int profiles, double variance_mm2);
+/// Whether a sensor is stuck whose clouds are left out, as another one measures.
+bool isLeftOut(const SensorWatch& watch);
 
 /// Judges what the sensor does. A stuck sensor is a warning if another one measures. Without effect while the
 /// loop is off or blocked.

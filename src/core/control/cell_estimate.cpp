@@ -81,6 +81,17 @@ void CellEstimate::relay(double planned_mm, double assumed, double correction) {
   contested_mm_ -= static_cast<float>(gain() * more);
 }
 
+/// The spread before the readings is gone; that of the growth was most of it.
+void CellEstimate::forget(const PredictedError& predicted) {
+  contests_ = 0;
+  if (!isSeen()) return;
+  const double sigma = predicted.is_known ? predicted.sigma_mm : kStartSigma;
+  error_mm_ = static_cast<float>(predicted.error_mm);
+  variance_mm2_ = std::max(variance_mm2_, static_cast<float>(sigma * sigma));
+  const int lost = predicted.is_known ? kSeen | kBroken : kSeen | kBroken | kKnown;
+  flags_ = static_cast<std::uint8_t>(flags_ & ~lost);
+}
+
 void CellEstimate::replan(double raised_mm, double flow) {
   error_mm_ += static_cast<float>(raised_mm);
   base_mm_ += static_cast<float>(raised_mm);

@@ -318,6 +318,22 @@ void HeightLoop::endCloud() {
   cloud_sigma_mm_ = 0.0;
 }
 
+/// What they had said of the layers below is in the prediction still: that was before.
+void HeightLoop::forgetClouds() {
+  const bool is_pressed = settings_.process == LoopProcess::Pressed;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    CellEstimate& cell = estimates_[i];
+    // A cell of a free process that became known by these clouds has had no growth commanded since.
+    cell.forget({before_clouds_.error_mm[i], spread_ * cell.gain() * cells_.height_mm[i],
+                 is_pressed || cell.commanded() > 0.0});
+  }
+  deficit_ = before_deficit_;
+  sections_seen_.assign(cells_.size(), 0);
+  contested_.clear();
+  clouds_ = surprises_ = repeats_ = 0;
+  surprise_ = repeat_surprise_ = excess_ = cloud_sigma_mm_ = 0.0;
+}
+
 void HeightLoop::believePatches() {
   const auto agrees = [&](std::size_t a, std::size_t b) {
     const auto here = estimates_[a].claimed();

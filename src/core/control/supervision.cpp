@@ -156,6 +156,10 @@ bool isStuck(int profiles, double variance_mm2) {
   return profiles >= kStuckProfiles && !(variance_mm2 >= kStuckVariance);
 }
 
+bool isLeftOut(const SensorWatch& watch) {
+  return watch.is_seen_otherwise && isStuck(watch.profiles, watch.variance_mm2);
+}
+
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report) {
   LoopStatus next;
   if (request == LoopRequest::Off) return next;
@@ -176,8 +180,8 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
   };
   if (watch.is_scanning && watch.silent_s > settings.silence_s)
     lose(LoopAlarm::Silent, CoastingFor::Sight,
-         "no cloud for " + value(watch.silent_s, " s") + "; expected one every " +
-             value(settings.silence_s, " s"));
+         std::string("no cloud") + (isLeftOut(watch) ? " of a sensor that is not stuck" : "") + " for " +
+             value(watch.silent_s, " s") + "; expected one every " + value(settings.silence_s, " s"));
   else if (watch.is_scanning && watch.blind_s > settings.silence_s)
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but no pose of the nozzle for " + value(watch.blind_s, " s") + "; expected one every " +
@@ -186,14 +190,16 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
     lose(LoopAlarm::NoTransform, CoastingFor::Sight,
          "clouds, but none whose frame tf knows over the bed for " + value(watch.unplaced_s, " s") +
              "; expected one every " + value(settings.silence_s, " s"));
-  if (isStuck(watch.profiles, watch.variance_mm2) && watch.is_seen_otherwise)
+  if (isLeftOut(watch))
     raise(step, LoopAlarm::Stuck, LoopReaction::Warn,
           stuckReason(watch) + "; its clouds are left out, those of the others count");
   else if (isStuck(watch.profiles, watch.variance_mm2))
     lose(LoopAlarm::Stuck, CoastingFor::Sight, stuckReason(watch));
   if (watch.time_offset_sigmas > kOffsetSigmas)
     lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset,
-         "the sensor's time offset has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
+         (watch.offset_sensor.empty() ? "the sensor's time offset"
+                                      : "the time offset of sensor '" + watch.offset_sensor + "'") +
+             " has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
              value(watch.time_offset_sigmas, "") + " standard deviations; expected 3 at most: calibrate it");
   if (watch.map_late_s > 0.0 && watch.map_late_s >= settings.wait_s)
     raise(step, LoopAlarm::MapLate, LoopReaction::Coast,

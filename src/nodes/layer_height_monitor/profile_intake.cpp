@@ -54,17 +54,22 @@ void ProfileIntake::onCloud(const CloudEvent& event) {
     wait(known);
 }
 
-/// The cloud at the time at which it was taken, in the frame that tf has to place; null without such a time.
-/// To tf a stamp of zero is the latest time there is, at which no cloud was taken.
-ProfileIntake::Cloud ProfileIntake::taken(const Cloud& cloud) const {
+/// The cloud at the time at which it was taken; null without such a time. To tf a stamp of zero is the latest
+/// time there is, at which no cloud was taken.
+ProfileIntake::Cloud ProfileIntake::taken(const Cloud& cloud) {
   if (cloud->header.stamp.isZero()) return nullptr;
-  if (sensor_.time_offset_s == 0.0 && !sensor_.nozzle_from_sensor) return cloud;
+  const bool is_calibrated = calibrated_frame_.see(cloud->header.frame_id);
+  if (!is_calibrated || sensor_.time_offset_s == 0.0) return cloud;
   const double time_s = cloud->header.stamp.toSec() - sensor_.time_offset_s;
   if (!(time_s > 0.0) || time_s > std::numeric_limits<std::int32_t>::max()) return nullptr;
   const auto known = boost::make_shared<sensor_msgs::PointCloud2>(*cloud);
   known->header.stamp -= ros::Duration(sensor_.time_offset_s);
-  if (sensor_.nozzle_from_sensor) known->header.frame_id = names::kNozzleFrame;
   return known;
+}
+
+/// The frame that tf has to place for a cloud's.
+std::string ProfileIntake::placedBy(const std::string& frame) const {
+  return sensor_.nozzle_from_sensor && calibrated_frame_.is(frame) ? names::kNozzleFrame : frame;
 }
 
 void ProfileIntake::countLost(const CloudEvent& event) {
@@ -105,7 +110,7 @@ bool ProfileIntake::isHeldUp(const ros::Time& until) const {
   return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& of_frame) {
     const auto& [frame, clouds] = of_frame;
     return !clouds.empty() && clouds.begin()->first <= until &&
-           lookUp(sequence_.buffer(), names::kBedFrame, frame, ros::Time(0));
+           lookUp(sequence_.buffer(), names::kBedFrame, placedBy(frame), ros::Time(0));
   });
 }
 
@@ -165,7 +170,7 @@ void ProfileIntake::passDue() {
     if (frame.empty()) return;
     if (passFirst(frame)) continue;
     // Clouds of a frame that hangs on nothing hold up no others.
-    if (lookUp(sequence_.buffer(), names::kBedFrame, frame, ros::Time(0))) return;
+    if (lookUp(sequence_.buffer(), names::kBedFrame, placedBy(frame), ros::Time(0))) return;
     passed_over.insert(frame);
   }
 }
@@ -173,7 +178,7 @@ void ProfileIntake::passDue() {
 std::string ProfileIntake::nextFrame(const std::set<std::string>& passed_over) const {
   const Clouds::value_type* oldest = nullptr;
   for (const auto& [frame, clouds] : waiting_) {
-    if (clouds.empty() || passed_over.count(frame) > 0 || !sequence_.knows(frame)) continue;
+    if (clouds.empty() || passed_over.count(frame) > 0 || !sequence_.knows(placedBy(frame))) continue;
     if (oldest == nullptr || clouds.begin()->first < oldest->first) oldest = &*clouds.begin();
   }
   return oldest == nullptr ? "" : oldest->second->header.frame_id;
@@ -183,7 +188,7 @@ std::string ProfileIntake::nextFrame(const std::set<std::string>& passed_over) c
 bool ProfileIntake::passFirst(const std::string& frame) {
   Clouds& clouds = waiting_.at(frame);
   const Cloud cloud = clouds.begin()->second;
-  const Readiness ready = sequence_.passTo(frame, cloud->header.stamp);
+  const Readiness ready = sequence_.passTo(placedBy(frame), cloud->header.stamp);
   if (ready == Readiness::NotYet) return false;
   const Readiness nozzle = sequence_.passTo(names::kNozzleFrame, cloud->header.stamp);
   if (ready == Readiness::Ready && nozzle == Readiness::NotYet) return false;
@@ -203,10 +208,11 @@ void ProfileIntake::addNozzles() {
 }
 
 void ProfileIntake::place(const sensor_msgs::PointCloud2& cloud) {
-  auto bed_from_cloud =
-      lookUp(sequence_.buffer(), names::kBedFrame, cloud.header.frame_id, cloud.header.stamp);
+  const std::string& frame = cloud.header.frame_id;
+  auto bed_from_cloud = lookUp(sequence_.buffer(), names::kBedFrame, placedBy(frame), cloud.header.stamp);
   if (!bed_from_cloud) return settle(cloud, counts_.without_transform);
-  if (sensor_.nozzle_from_sensor) *bed_from_cloud = *bed_from_cloud * *sensor_.nozzle_from_sensor;
+  if (sensor_.nozzle_from_sensor && calibrated_frame_.is(frame))
+    *bed_from_cloud = *bed_from_cloud * *sensor_.nozzle_from_sensor;
   PlacedProfile profile;
   profile.stamp = cloud.header.stamp;
   try {

@@ -16,6 +16,7 @@
 
 #include "cloud_stamps.hpp"
 #include "lamina/geometry/vector.hpp"
+#include "tf/calibrated_frame.hpp"
 #include "tf/transform_intake.hpp"
 #include "tf/transform_sequence.hpp"
 
@@ -27,7 +28,8 @@ struct PlacedProfile {
   std::vector<Point3> points;  ///< [mm, bed frame]
 };
 
-/// When and from where a sensor sees.
+/// When and from where the sensor of the calibrated frame sees (`CalibratedFrame`). Stamps of others are as
+/// they are, and tf has their places.
 struct CalibratedSensor {
   double time_offset_s = 0.0;                           ///< true time is the stamp less this
   std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< [mm]; none: as tf has it
@@ -104,7 +106,8 @@ class ProfileIntake {
   using Clouds = std::multimap<ros::Time, Cloud>;
 
   void onCloud(const CloudEvent& event);
-  Cloud taken(const Cloud& cloud) const;
+  Cloud taken(const Cloud& cloud);
+  std::string placedBy(const std::string& frame) const;
   bool isHeldUp(const ros::Time& until) const;
   void leaveOutWaiting(CloudTally& as);
   void followTime();
@@ -124,6 +127,7 @@ class ProfileIntake {
   TransformIntake transforms_;
   double queue_bytes_;
   CalibratedSensor sensor_;
+  CalibratedFrame calibrated_frame_;
   Receivers receivers_;
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;

@@ -39,6 +39,19 @@ std::optional<ros::Time> takenAt(const ros::Time& stamp, double offset_s) {
 
 }  // namespace
 
+FeedCounts since(const FeedCounts& then, const FeedCounts& now) {
+  FeedCounts counts = now;
+  counts.received -= then.received - then.waiting;
+  counts.placed -= then.placed;
+  counts.without_frame -= then.without_frame;
+  counts.without_offset -= then.without_offset;
+  counts.malformed -= then.malformed;
+  counts.without_transform -= then.without_transform;
+  counts.pushed_out -= then.pushed_out;
+  counts.of_former_print -= then.of_former_print;
+  return counts;
+}
+
 LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
     : settings_(settings),
       queue_bytes_(1e6 * queue_mb),
@@ -70,10 +83,9 @@ void LoopFeed::addFixed(const geometry_msgs::TransformStamped& transform, const 
 
 /// By how much the stamps of a sensor are late; none if nobody said so.
 std::optional<double> LoopFeed::offsetOf(const std::string& frame) {
-  const auto other = other_offsets_s_.find(frame);
+  const auto other = other_offsets_s_.find(bareFrame(frame));
   if (other != other_offsets_s_.end()) return other->second;
-  if (calibrated_frame_.empty() || frame == names::kSensorFrame) calibrated_frame_ = frame;
-  if (frame == calibrated_frame_) return settings_.calibration.time_offset_s;
+  if (calibrated_frame_.see(frame)) return settings_.calibration.time_offset_s;
   return std::nullopt;
 }
 
@@ -211,7 +223,7 @@ void LoopFeed::placeClouds() {
 
 /// Whether it is of the sensor whose place at the nozzle was calibrated: others are where tf has them.
 bool LoopFeed::isCalibrated(const sensor_msgs::PointCloud2& cloud) const {
-  return settings_.calibration.nozzle_from_sensor && cloud.header.frame_id == calibrated_frame_;
+  return settings_.calibration.nozzle_from_sensor && calibrated_frame_.is(cloud.header.frame_id);
 }
 
 /// The frame that tf has to place.

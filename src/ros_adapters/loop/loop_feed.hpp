@@ -12,6 +12,7 @@
 
 #include "lamina/control/run/loop_run.hpp"
 #include "messages.hpp"
+#include "tf/calibrated_frame.hpp"
 #include "tf/transform_sequence.hpp"
 
 namespace lamina {
@@ -31,6 +32,10 @@ struct FeedCounts {
   std::string last_fault;           ///< fault of the last malformed cloud
   std::string last_without_offset;  ///< frame of the last cloud without a time offset
 };
+
+/// What was counted from one time to another, with the clouds that waited then among those received: the sum
+/// holds for these numbers too.
+FeedCounts since(const FeedCounts& then, const FeedCounts& now);
 
 /// Passes one print after the other to the loop, from messages in the order in which they arrive, in a node
 /// or from a bag. Both use this class, so that both give exactly the same maps. tf may be behind the clouds
@@ -101,7 +106,7 @@ class LoopFeed {
   double queue_bytes_;
   TransformSequence sequence_;
   std::multimap<ros::Time, Cloud> waiting_;  ///< by time stamp
-  std::string calibrated_frame_;  ///< of the sensor that the calibration is that of; empty before a cloud
+  CalibratedFrame calibrated_frame_;
   std::map<std::string, double> other_offsets_s_;  ///< of further sensors, by frame
   std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;

@@ -153,21 +153,29 @@ TEST(LoopRun, DropsTheCloudsOfAStuckSensor) {
     EXPECT_EQ(printed.layers[5].state, LoopState::Coasting);
     EXPECT_EQ(printed.layers[6].state, LoopState::Active);
     EXPECT_GT(printed.counts.clouds_stuck, 50U);
+    EXPECT_EQ(printed.layers[4].figures.gain_mean, printed.layers[3].figures.gain_mean)
+        << "the profiles by which it was found to be stuck teach no gain";
     for (const CorrectionMap& map : printed.maps) EXPECT_LT(std::abs(meanAmount(map)), 0.25) << map.layer;
   }
 }
 
-/// A second sensor that is stuck beside a live one says that each layer is as high as planned.
-TEST(LoopRun, DropsTheCloudsOfAStuckSensorBesideALiveOne) {
-  const SensedWallCase wall = wallCase();
-  const SensedWall printed = sensedWall(wall);
-  LoopRun run(printed.part, wall.settings);
+/// What came of a print by a live sensor beside one, "left", that is stuck from half of the print on and says
+/// that each layer is as high as planned.
+struct StuckBeside {
+  LoopNews news;
+  LoopCounts counts;
+};
+
+/// @param silent_from  number of the live sensor's cloud from which on it is silent
+StuckBeside stuckBeside(const SensedWall& printed, const LoopRunSettings& settings, std::size_t silent_from) {
+  LoopRun run(printed.part, settings);
   const std::int64_t from_ns = printed.tips[printed.tips.size() / 2].stamp_ns;
   std::size_t cloud = 0;
   for (const StampedTip& tip : printed.tips) {
     run.observe(tip);
     for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= tip.stamp_ns; ++cloud) {
-      run.see(printed.clouds[cloud]);
+      run.hear(printed.clouds[cloud].stamp_ns);
+      if (cloud < silent_from) run.see(printed.clouds[cloud]);
       SensedCloud stuck = printed.clouds[cloud];
       if (stuck.stamp_ns < from_ns) continue;
       stuck.sensor = "left";
@@ -176,20 +184,48 @@ TEST(LoopRun, DropsTheCloudsOfAStuckSensorBesideALiveOne) {
     }
   }
   run.finish();
-  const LoopNews news = run.takeNews();
+  return {run.takeNews(), run.counts()};
+}
+
+TEST(LoopRun, DropsTheCloudsOfAStuckSensorBesideALiveOne) {
+  const SensedWallCase wall = wallCase();
+  const SensedWall printed = sensedWall(wall);
+  const auto [news, counts] = stuckBeside(printed, wall.settings, printed.clouds.size());
   std::vector<RaisedAlarm> stuck;
   std::copy_if(news.alarms.begin(), news.alarms.end(), std::back_inserter(stuck),
                [](const RaisedAlarm& each) { return each.alarm == LoopAlarm::Stuck; });
   ASSERT_EQ(stuck.size(), 1U);
   EXPECT_EQ(stuck[0].reaction, LoopReaction::Warn);
   EXPECT_NE(stuck[0].reason.find("of sensor 'left'"), std::string::npos) << stuck[0].reason;
-  EXPECT_GT(run.counts().clouds_stuck, 200U);
+  EXPECT_FALSE(raises(news.alarms, LoopAlarm::Silent));
+  EXPECT_GT(counts.clouds_stuck, 200U);
   ASSERT_EQ(news.layers.size(), wall.layers);
-  EXPECT_EQ(news.layers[5].state, LoopState::Coasting) << "what it said before it was found out was read";
+  EXPECT_FALSE(news.layers[4].figures.is_measured);
+  EXPECT_EQ(news.layers[4].figures.gain_mean, news.layers[3].figures.gain_mean)
+      << "what it said before it was found out taught nothing";
+  EXPECT_EQ(news.layers[5].state, LoopState::Coasting);
   EXPECT_EQ(news.layers[6].state, LoopState::Active);
   for (const std::size_t layer : {6U, 7U})
     EXPECT_NEAR(news.layers[layer].figures.mean_error_mm, printed.layers[layer].figures.mean_error_mm, 0.05)
         << layer;
+}
+
+/// Within the scan, and not at its end: what the stuck sensor sends measures nothing.
+TEST(LoopRun, SaysThatTheLiveSensorBesideAStuckOneIsSilent) {
+  SensedWallCase wall = wallCase();
+  wall.settings.loop.silence_s = 0.5;
+  const SensedWall printed = sensedWall(wall);
+  const std::size_t silent_from = printed.clouds.size() / wall.layers * 6;
+  const LoopNews news = stuckBeside(printed, wall.settings, silent_from).news;
+  ASSERT_EQ(news.layers.size(), wall.layers);
+  EXPECT_FALSE(raises(news.layers[5].alarms, LoopAlarm::Silent));
+  const auto& alarms = news.layers[6].alarms;
+  const auto silent = std::find_if(alarms.begin(), alarms.end(),
+                                   [](const auto& each) { return each.alarm == LoopAlarm::Silent; });
+  ASSERT_NE(silent, alarms.end());
+  EXPECT_EQ(silent->reason.find("no cloud of a sensor that is not stuck for 0.5"), 0U) << silent->reason;
+  EXPECT_FALSE(news.layers[6].figures.is_measured);
+  EXPECT_EQ(news.layers[7].state, LoopState::Coasting);
 }
 
 TEST(LoopRun, SaysThatNoPoseIsKnown) {

@@ -175,7 +175,7 @@ SeenTwice seenTwice(const SensedWall& printed, LoopRunSettings settings) {
   feed.add(test::toolpathMessage(printed));
   for (const SensedCloud& cloud : printed.clouds) {
     auto left = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud, 0.07));
-    left->header.frame_id = "left";
+    left->header.frame_id = "/left";  // as drivers from before tf2 write it
     feed.add(left);
     feed.add(boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(cloud, 0.02)));
   }
@@ -203,11 +203,37 @@ TEST(LoopFeed, TakesTheTimeOffsetOfEachSensor) {
   const SeenTwice one = seenTwice(printed, wall.settings);
   EXPECT_EQ(one.counts.without_offset, printed.clouds.size() - 1)
       << "the first one came before the calibrated sensor's";
-  EXPECT_EQ(one.counts.last_without_offset, "left");
+  EXPECT_EQ(one.counts.last_without_offset, "/left");
   EXPECT_EQ(one.counts.received,
             one.counts.placed + one.counts.without_transform + one.counts.without_offset);
   ASSERT_EQ(one.layers.size(), wall.layers);
   EXPECT_NEAR(one.layers[2].figures.rmse_mm, printed.layers[2].figures.rmse_mm, 0.002);
+}
+
+/// Of 100 clouds of a print before 7 still wait, of which the next one gets none.
+TEST(LoopFeed, CountsTheCloudsOfEachPrint) {
+  FeedCounts then;
+  then.received = 100;
+  then.placed = 80;
+  then.without_frame = 1;
+  then.without_offset = 2;
+  then.malformed = 3;
+  then.without_transform = 4;
+  then.pushed_out = 3;
+  then.waiting = 7;
+  FeedCounts now = then;
+  now.received = 160;
+  now.placed = 130;
+  now.without_offset = 12;
+  now.of_former_print = 7;
+  now.waiting = 0;
+  const FeedCounts counts = since(then, now);
+  EXPECT_EQ(counts.received, 67U) << "60 that came and 7 that waited";
+  EXPECT_EQ(counts.placed, 50U);
+  EXPECT_EQ(counts.without_offset, 10U);
+  EXPECT_EQ(counts.received, counts.placed + counts.without_frame + counts.without_offset + counts.malformed +
+                                 counts.without_transform + counts.pushed_out + counts.waiting +
+                                 counts.of_former_print);
 }
 
 TEST(LoopFeed, RefusesATimeOffsetThatIsNone) {

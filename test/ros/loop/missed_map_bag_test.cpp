@@ -83,5 +83,34 @@ TEST(MissedMapInABag, ReportsAPlanThatWasRefused) {
   EXPECT_EQ(maps.size(), unreported["map_digests"].size() + 1) << "the layer has its map once more";
 }
 
+/// Of a second sensor whose time offset nobody stated: its clouds are named among those not read.
+TEST(EstimatedBag, AccountsForEveryCloud) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.length_mm = 20.0;
+  wall.layers = 3;
+  const test::ScratchFolder folder;
+  const std::string bag = folder.file("wall.bag");
+  const test::SensedWall printed = test::sensedWall(wall);
+  test::writeBag(bag, printed);
+  {
+    rosbag::Bag more(bag, rosbag::bagmode::Append);
+    for (const SensedCloud& cloud : printed.clouds) {
+      sensor_msgs::PointCloud2 left = test::cloudMessage(cloud);
+      left.header.frame_id = "left";
+      more.write(std::string("/") + names::kProfile, test::timeOf(cloud.stamp_ns + 1'000'000), left);
+    }
+  }
+  const nlohmann::json print = test::estimate(bag)["prints"][0];
+  EXPECT_EQ(print["clouds"], 2 * printed.clouds.size());
+  EXPECT_EQ(print["clouds_without_offset"], printed.clouds.size());
+  std::size_t sum = 0;
+  for (const char* became : {"clouds_read", "clouds_late", "clouds_stuck", "clouds_without_frame",
+                             "clouds_without_offset", "clouds_malformed", "clouds_without_transform",
+                             "clouds_waiting", "clouds_pushed_out", "clouds_of_former_print"})
+    sum += print[became].get<std::size_t>();
+  EXPECT_EQ(sum, 2 * printed.clouds.size());
+}
+
 }  // namespace
 }  // namespace lamina

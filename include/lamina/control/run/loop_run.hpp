@@ -19,7 +19,7 @@
 #include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
-#include "lamina/control/run/offset_watch.hpp"
+#include "lamina/control/run/offset_watches.hpp"
 #include "lamina/control/run/pose_watch.hpp"
 #include "lamina/control/run/sensor_motion.hpp"
 #include "lamina/control/run/sensor_watches.hpp"
@@ -191,7 +191,7 @@ class LoopRun {
   void onTip(std::int64_t stamp_ns, const Point3& tip);
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
-  void use(const LayerReading& reading);
+  void use(const std::string& sensor, const LayerReading& reading);
   void watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
   void watch(double blind_s);
@@ -252,8 +252,9 @@ class LoopRun {
   std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
   PoseWatch pose_watch_;
   SensorWatches sensors_;
-  OffsetWatch offset_;
-  OffsetLeft offset_left_;                       ///< by the last layer that shows an offset
+  bool is_distrusted_ = false;  ///< whether a sensor was found to be stuck in the layer under way
+  OffsetWatches offset_;
+  SensorOffset offset_left_;                     ///< by the last layer that shows an offset
   LumpWatch lump_;                               ///< highest lump above the layer under way, as scanned
   FallenWatch fallen_;                           ///< what came off that layer, as scanned
   Box3 ground_;                                  ///< of that layer, without its height

@@ -18,9 +18,12 @@ class SensorWatches {
  public:
   /// Adds a cloud that was taken while the nozzle moved.
   /// @param layer  of the print, at that time
-  void see(const SensedCloud& cloud, std::size_t layer);
+  /// @return whether the sensor is found to be stuck by this cloud
+  bool see(const SensedCloud& cloud, std::size_t layer);
 
   bool isStuck(const std::string& sensor) const;
+  /// Whether a sensor that is not stuck has measured in a layer or the one before.
+  bool isAnyLive(std::size_t layer) const;
 
   /// Fills in what `afterWatch` judges of a stuck sensor, in a layer: of the sensor with the most equal
   /// profiles.
@@ -30,6 +33,8 @@ class SensorWatches {
   struct Sensor {
     StuckWatch watch;
     std::size_t layer = 0;  ///< of the last cloud
+
+    bool isStuck() const;
   };
   std::map<std::string, Sensor> sensors_;  ///< by name
 };

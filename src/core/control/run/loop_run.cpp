@@ -18,11 +18,6 @@
 #include "lamina/control/run/run_calibration.hpp"
 
 namespace lamina {
-namespace {
-
-constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
-
-}  // namespace
 
 LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
     : part_(std::move(part)),
@@ -253,11 +248,16 @@ void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
 
 void LoopRun::onCloud(const SensedCloud& cloud) {
   --counts_.clouds_waiting;
-  cloud_ns_ = cloud.stamp_ns;
-  silent_s_ = 0.0;
-  if (is_moving_) sensors_.see(cloud, progress_.place().layer);
+  const std::size_t layer = progress_.place().layer;
+  if (is_moving_ && sensors_.see(cloud, layer)) is_distrusted_ = true;
+  const bool is_stuck = sensors_.isStuck(cloud.sensor);
+  // A stuck sensor does not hide that the live one beside it has gone silent.
+  if (!is_stuck || !sensors_.isAnyLive(layer)) {
+    cloud_ns_ = cloud.stamp_ns;
+    silent_s_ = 0.0;
+  }
   watch(0.0);
-  if (sensors_.isStuck(cloud.sensor)) {
+  if (is_stuck) {
     ++counts_.clouds_stuck;
     return;
   }
@@ -286,11 +286,8 @@ void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isome
 }
 
 void LoopRun::watchOffset() {
-  const auto left = offset_.offset(loop_->cells());
-  if (!left) return;
-  offset_left_ = *left;
-  offset_left_.sigma_s =
-      std::hypot(left->sigma_s, settings_.calibration.time_offset_sigma_s, kLeastOffsetSigma);
+  const auto offset = offset_.offset(loop_->cells(), settings_.calibration.time_offset_sigma_s);
+  offset_left_ = offset.value_or(offset_left_);
   watch(0.0);
 }
 
@@ -321,7 +318,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     counts_.points += read.counts;
     seeSections(*loop_, profile, atlas_, settings_.sight);
     if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
-    for (const LayerReading& reading : read.readings) use(reading);
+    for (const LayerReading& reading : read.readings) use(cloud.sensor, reading);
   }
   loop_->endCloud();
   if (trim_ && !progress_.place().is_scanning) trimLayer();
@@ -336,13 +333,13 @@ void LoopRun::trimLayer() {
   publishMap();
 }
 
-void LoopRun::use(const LayerReading& reading) {
+void LoopRun::use(const std::string& sensor, const LayerReading& reading) {
   if (reading.layer != *layer_) {
     ++counts_.readings_below;
     return;
   }
   if (progress_.place().is_scanning)
-    offset_.see(reading.cell, velocity_.dot(loop_->cells().tangent[reading.cell]), reading.reading);
+    offset_.see(sensor, reading.cell, velocity_.dot(loop_->cells().tangent[reading.cell]), reading.reading);
   switch (loop_->see(reading.cell, reading.reading).use) {
     case ReadingUse::Used:
       ++counts_.readings_used;
@@ -359,15 +356,14 @@ void LoopRun::use(const LayerReading& reading) {
 void LoopRun::watch(double blind_s) {
   SensorWatch seen;
   seen.is_scanning = progress_.place().is_scanning || pose_watch_.isWithoutPose();
+  sensors_.judge(progress_.place().layer, seen);
   // Of clouds that come, and that tf does not place, the sensor is not the cause.
-  const bool hears = heard_ns_ && tip_ns_ && secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
+  const bool hears = !isLeftOut(seen) && heard_ns_ && tip_ns_ &&
+                     secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
   seen.silent_s = hears ? 0.0 : silent_s_;
   seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = blind_s;
-  sensors_.judge(progress_.place().layer, seen);
-  seen.time_offset_s = offset_left_.offset_s;
-  if (offset_left_.sigma_s > 0.0)
-    seen.time_offset_sigmas = std::abs(offset_left_.offset_s) / offset_left_.sigma_s;
+  judge(offset_left_, seen);
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   step.alarms = watched_.risen(std::move(step.alarms));
   take(std::move(step));
@@ -400,6 +396,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   taught_.begin(*loop_);
   blockIfLump();
   offset_.begin(loop_->cells().size());
+  is_distrusted_ = false;
   lump_.reset();
   fallen_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
@@ -455,10 +452,10 @@ bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
 
 void LoopRun::endLayer() {
   watchOffset();
+  // The profiles by which a sensor was found to be stuck were read.
+  if (is_distrusted_) loop_->forgetClouds();
   LayerFigures figures = loop_->endLayer();
   figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
-  // The profiles by which a sensor was found to be stuck were read.
-  if (isAmong(layer_alarms_, LoopAlarm::Stuck)) figures.is_measured = false;
   taught_.end(*loop_, laid_->correction().amount);
   below_ = loop_->estimates();
   below_layer_ = *layer_;

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "lamina/control/run/offset_watch.hpp"
+#include "lamina/control/supervision.hpp"
+
+namespace lamina {
+
+/// The time offset that is left of one of several sensors.
+struct SensorOffset {
+  std::string sensor;  ///< its name
+  OffsetLeft left;     ///< its standard deviation includes that of the calibrated offset
+
+  /// Magnitude of the offset in standard deviations; 0 if there is no standard deviation.
+  double sigmas() const;
+};
+
+/// Estimates the time offsets of several sensors over a layer (`OffsetWatch`), each from its own readings:
+/// the mean of two of which one has moved would show half of that, and of two that moved apart nothing.
+class OffsetWatches {
+ public:
+  /// Begins a layer with that number of cells.
+  void begin(std::size_t cells);
+
+  /// Adds a reading by a sensor, as `OffsetWatch::see`.
+  /// @param speed_mm_s  of that sensor along the cell's path
+  void see(const std::string& sensor, std::size_t cell, double speed_mm_s, const CellReading& reading);
+
+  /// The offset of the sensor whose offset is the largest in standard deviations, of equal ones that first by
+  /// name; none if no sensor gives an estimate.
+  /// @param cells               of the layer that was begun
+  /// @param calibrated_sigma_s  standard deviation of the calibrated offsets
+  std::optional<SensorOffset> offset(const LayerCells& cells, double calibrated_sigma_s) const;
+
+ private:
+  std::size_t cells_ = 0;
+  std::map<std::string, OffsetWatch> watches_;  ///< of sensors that have read the layer
+};
+
+/// Fills in what `afterWatch` judges of a time offset.
+void judge(const SensorOffset& offset, SensorWatch& seen);
+
+}  // namespace lamina
