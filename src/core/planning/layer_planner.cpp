@@ -472,8 +472,10 @@ class LayerPlanner {
 
   void addRun(const FillPath& run, TravelOver over) {
     if (!support_test_) return layRun(run, over);
-    const std::vector<FillPath> parts =
+    std::vector<FillPath> parts =
         anchored(run, [this](const Point2& point) { return support_test_->carries(point); });
+    if (!support_test_->carries(parts.front().points.front()))
+      parts.front() = begunAtBeads(std::move(parts.front()), result_.paths);
     const bool is_moved = parts.front().points.front() != run.points.front();
     if (is_moved) ++moved_starts_;
     for (const FillPath& part : parts) layRun(part, is_moved ? TravelOver::Anything : over);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -53,6 +54,18 @@ std::vector<Path> threadsOf(const ToolpathLayer& layer) {
   return threads;
 }
 
+/// Straight stretches of threads; a joint between neighbours is no longer than a millimetre.
+std::vector<std::array<Point2, 2>> spansOf(const std::vector<Path>& threads) {
+  std::vector<std::array<Point2, 2>> spans;
+  for (const Path& path : threads)
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const Point2 from = path.points[m].head<2>();
+      const Point2 to = path.points[path.motionEnd(m)].head<2>();
+      if ((to - from).norm() > 1.0) spans.push_back({from, to});
+    }
+  return spans;
+}
+
 double threadVolume(const std::vector<Path>& paths) {
   double sum = 0.0;
   for (const Path& path : paths) sum += depositedVolume(path);
@@ -66,18 +79,51 @@ TEST(Bridges, SpanFromPillarToPillar) {
   EXPECT_EQ(plan.bridging.too_long, 0U);
   EXPECT_NEAR(plan.bridging.longest_mm, 20.0, 1e-3);
   const std::vector<Path> threads = threadsOf(plan.toolpath.layers[5]);
-  EXPECT_GE(threads.size(), 51U);
-  EXPECT_LE(threads.size(), 52U);
+  const auto spans = spansOf(threads);
+  EXPECT_GE(spans.size(), 51U);
+  EXPECT_LE(spans.size(), 52U);
   const double volume = (20.0 + 2.0 * 1.0) * (20.0 - 2.0 * kTwoWalls) * 0.2;
   EXPECT_NEAR(threadVolume(threads), volume, 0.01 * volume);
-  for (const Path& thread : threads) {
-    ASSERT_EQ(thread.points.size(), 2U);
-    EXPECT_NEAR(thread.points[0].y(), thread.points[1].y(), 1e-9) << "along x exactly";
-    EXPECT_LE(std::min(thread.points[0].x(), thread.points[1].x()), 10.0 - 0.9);
-    EXPECT_GE(std::max(thread.points[0].x(), thread.points[1].x()), 30.0 + 0.9);
-    EXPECT_EQ(thread.feed_mm_s.at(1), 20.0);
+  // An anchor of 1 mm, less half a pitch of 0.357 mm where threads are joined.
+  for (const auto& [from, to] : spans) {
+    EXPECT_NEAR(from.y(), to.y(), 1e-9) << "along x exactly";
+    EXPECT_LE(std::min(from.x(), to.x()), 10.0 - 0.7);
+    EXPECT_GE(std::max(from.x(), to.x()), 30.0 + 0.7);
   }
+  for (const Path& thread : threads)
+    for (std::size_t i = 1; i < thread.points.size(); ++i) EXPECT_EQ(thread.feed_mm_s.at(i), 20.0);
   for (std::size_t l = 0; l < 15; ++l) EXPECT_EQ(threadsOf(plan.toolpath.layers[l]).empty(), l != 5) << l;
+}
+
+TEST(Bridges, JoinNeighboursWhereTheyAreHeld) {
+  const std::vector<Path> threads = threadsOf(plannedPart(bridge(), spanning()).toolpath.layers[5]);
+  ASSERT_EQ(threads.size(), 1U) << "one run over the gap";
+  for (const Point3& point : threads[0].points)
+    EXPECT_TRUE(point.x() < 10.0 - 0.7 || point.x() > 30.0 + 0.7) << "turns on a pillar: " << point.x();
+}
+
+TEST(Bridges, JoinNoneWhoseEndsAreNotHeld) {
+  // From ledges of 0.3 mm: no room for half a pitch behind a joint.
+  const Regions below = unite({rectangle(0, 0, 5, 10), rectangle(11, 0, 16, 10)});
+  const Regions inside = unite({rectangle(4.7, 1, 11.3, 9)});
+  const auto threads = bridgeThreads({rectangle(5, 1, 11, 9), {}}, below, inside, {0.0, kThreadPitch, 1.0});
+  EXPECT_EQ(threads.size(), 22U) << "8 mm of 0.364 mm";
+  for (const FillPath& thread : threads) EXPECT_EQ(thread.points.size(), 2U);
+}
+
+TEST(Bridges, JoinNoneWhoseEndsLieApart) {
+  // The right pillar recedes by 2 mm in the middle.
+  const Regions below = unite({rectangle(0, 0, 5, 10), rectangle(11, 0, 20, 5), rectangle(13, 5, 20, 10)});
+  const Regions inside = unite({rectangle(1, 1, 19, 9)});
+  const Region piece{{{5, 1}, {11, 1}, {11, 5}, {13, 5}, {13, 9}, {5, 9}}, {}};
+  const auto runs = bridgeThreads(piece, below, inside, {0.0, kThreadPitch, 1.0});
+  // Eleven threads on either side: the last of the lower ones goes to the right, and cannot go on there.
+  ASSERT_EQ(runs.size(), 2U);
+  for (const FillPath& run : runs) EXPECT_EQ(run.points.size(), 22U);
+  double length_mm = 0.0;
+  for (const FillPath& run : runs) length_mm += length(run.points);
+  // Eleven of 8 mm and eleven of 10 mm: joints are as long as what they cut off.
+  EXPECT_NEAR(length_mm, 11 * 8.0 + 11 * 10.0, 1e-3);
 }
 
 TEST(Bridges, FillTheirLayerOnce) {
@@ -145,7 +191,7 @@ TEST(Bridges, AreDepositedWithoutSkinsToo) {
   PlanSettings settings = spanning();
   settings.skins = SkinSettings{};
   const Plan plan = plannedPart(bridge(), settings);
-  EXPECT_GE(threadsOf(plan.toolpath.layers[5]).size(), 51U);
+  EXPECT_GE(spansOf(threadsOf(plan.toolpath.layers[5])).size(), 51U);
   for (const ToolpathLayer& layer : plan.toolpath.layers)
     for (const Path& path : layer.paths)
       EXPECT_TRUE(path.role != PathRole::Skin && path.role != PathRole::BottomSkin &&
@@ -195,7 +241,7 @@ TEST(Bridges, OfRoundThreadsHaveTheirSection) {
   PlanSettings settings = spanning();
   settings.bridges.thread = BridgeThread::Round;
   const std::vector<Path> threads = threadsOf(plannedPart(bridge(), settings).toolpath.layers[5]);
-  EXPECT_NEAR(static_cast<double>(threads.size()), (20.0 - 2.0 * kTwoWalls) / 0.45, 0.51);
+  EXPECT_NEAR(static_cast<double>(spansOf(threads).size()), (20.0 - 2.0 * kTwoWalls) / 0.45, 0.51);
   for (const Path& thread : threads)
     EXPECT_NEAR(depositedVolume(thread) / length(thread), 0.04 * M_PI, 1e-9) << "0.1257 mm2";
   settings.bridges.thread = BridgeThread::Bead;
@@ -223,13 +269,19 @@ TEST(Bridges, OnBothSidesOfAPierShareIt) {
   const ThreadLayout layout{0.0, kThreadPitch, 1.0};
   const auto left = bridgeThreads({rectangle(5, 1, 11, 9), {}}, below, inside, layout);
   const auto right = bridgeThreads({rectangle(12, 1, 18, 9), {}}, below, inside, layout);
-  ASSERT_EQ(left.size(), right.size());
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    EXPECT_NEAR(left[i].points[0].x(), 4.0, 1e-4);
-    EXPECT_NEAR(left[i].points[1].x(), 11.5, 1e-4);
-    EXPECT_NEAR(right[i].points[0].x(), 11.5, 1e-4);
-    EXPECT_NEAR(right[i].points[1].x(), 19.0, 1e-4);
-  }
+  ASSERT_EQ(left.size(), 1U);
+  ASSERT_EQ(right.size(), 1U);
+  // 22 threads of 0.364 mm, all joined: those that are cut end half of that earlier.
+  const double cut = 0.5 * 8.0 / 22.0;
+  const auto expectEnds = [cut](const FillPath& run, double low, double high) {
+    ASSERT_EQ(run.points.size(), 44U);
+    for (const Point2& point : run.points) {
+      const double inwards = point.x() < 0.5 * (low + high) ? point.x() - low : high - point.x();
+      EXPECT_TRUE(std::abs(inwards) < 1e-4 || std::abs(inwards - cut) < 1e-4) << point.x();
+    }
+  };
+  expectEnds(left[0], 4.0, 11.5);
+  expectEnds(right[0], 11.5, 19.0);
 }
 
 TEST(Bridges, KeepWithinTheWalls) {

@@ -63,6 +63,32 @@ TEST(AnchoredRun, OneThatNothingCarriesAndDropsStay) {
   EXPECT_EQ(anchored(drops, isLeft)[0].points, drops.points);
 }
 
+/// A path from one place to another in the plane.
+Path pathBetween(PathRole role, const Point3& from, const Point3& to) {
+  Path path;
+  path.role = role;
+  path.points = {from, to};
+  path.bead = Bead{0.4, 0.2};
+  return path;
+}
+
+TEST(AnchoredRun, OneThatNothingCarriesBeginsBesideABeadOfItsLayer) {
+  const std::vector<Path> deposited = {
+      pathBetween(PathRole::OuterWall, {0, 0, 1}, {0, 10, 1}),
+      pathBetween(PathRole::Travel, {0, 10, 1}, {8, 0, 1}),
+      pathBetween(PathRole::Support, {8, 0, 1}, {8, 10, 1}),
+  };
+  FillPath lip = run({{7.5, 5}, {2, 5}, {0.4, 6}}, false);
+  lip.width_mm = {0.3, 0.4, 0.5};
+  const FillPath from_wall = begunAtBeads(lip, deposited);
+  EXPECT_EQ(from_wall.points, (Polyline{{0.4, 6}, {2, 5}, {7.5, 5}}));
+  EXPECT_EQ(begunAtBeads(from_wall, deposited).points, from_wall.points) << "it does so already";
+  EXPECT_EQ(begunAtBeads(lip, {}).points, lip.points) << "without beads";
+  EXPECT_NEAR(width(from_wall), width(lip), 1e-9) << "with its widths";
+  lip.is_closed = true;
+  EXPECT_EQ(begunAtBeads(lip, deposited).points, lip.points);
+}
+
 TEST(AnchoredRun, LaysTheSameMaterialFromACarriedStart) {
   EXPECT_TRUE(rc::check("material and start", [](std::uint64_t seed) {
     Random random(seed);

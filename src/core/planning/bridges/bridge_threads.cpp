@@ -17,6 +17,9 @@ namespace {
 constexpr double kTouch = 1e-3;           // mm: above what areas are off by
 constexpr double kFromWalls = 0.49;       // spacings: the outermost threads lie half a spacing from them
 constexpr double kShortestThread = 0.05;  // mm
+constexpr double kCut = 0.5;              // spacings: a joint adds as much as both of its threads lose
+constexpr double kLeastHeld = 1.0;        // spacings: half of it is left where a joint cuts a thread
+constexpr double kFarthest = 2.0;         // spacings along the threads, from one joined end to the other
 
 /// From one place of a line to another [mm, raster frame].
 using Stretch = std::pair<double, double>;
@@ -43,6 +46,22 @@ class StretchesOf {
 
   Raster raster_;
 };
+
+/// One thread, and how much of either end lies on what holds it.
+struct Thread {
+  std::int64_t line = 0;
+  Stretch at;
+  Stretch held_mm;
+};
+
+/// Which end of a thread.
+enum class ThreadEnd { First, Second };
+
+double endOf(const Stretch& stretch, ThreadEnd end) {
+  return end == ThreadEnd::First ? stretch.first : stretch.second;
+}
+
+ThreadEnd otherThan(ThreadEnd end) { return end == ThreadEnd::First ? ThreadEnd::Second : ThreadEnd::First; }
 
 /// The one that begins before or at x, or a little beyond, and goes on after it.
 std::optional<Stretch> goingOn(const std::vector<Stretch>& stretches, double x, double slack) {
@@ -74,10 +93,15 @@ class ThreadLayer {
         inside_(offset(inside, -kFromWalls * lines_.spacing_mm), lines_.spacing_mm, lines_.frame) {}
 
   std::vector<FillPath> lay() const {
-    std::vector<FillPath> threads;
+    std::vector<Thread> threads;
     const auto rows = static_cast<std::int64_t>(piece_.raster().line_begin.size()) - 1;
     for (std::int64_t row = 0; row < rows; ++row) addLine(piece_.raster().lowest + row, threads);
-    return threads;
+    std::vector<FillPath> runs;
+    runs.reserve(threads.size());
+    std::vector<bool> is_laid(threads.size(), false);
+    for (std::size_t i = 0; i < threads.size(); ++i)
+      if (!is_laid[i]) runs.push_back(joinedFrom(i, threads, is_laid));
+    return runs;
   }
 
  private:
@@ -97,29 +121,76 @@ class ThreadLayer {
     return {spacing, RasterFrame(layout.angle_rad, box.low.y() + 0.5 * spacing)};
   }
 
-  void addLine(std::int64_t line, std::vector<FillPath>& threads) const {
+  void addLine(std::int64_t line, std::vector<Thread>& threads) const {
     const std::vector<Stretch> below = below_.on(line);
     const std::vector<Stretch> inside = inside_.on(line);
-    std::vector<Stretch> merged;
+    const std::size_t before = threads.size();
     for (const Stretch& free : piece_.on(line))
       for (const Stretch& room : inside) {
         if (room.second <= free.first || room.first >= free.second) continue;
         const Stretch thread = {std::max(begin(free, below, room), room.first),
                                 std::min(end(free, below, room), room.second)};
-        if (!merged.empty() && thread.first <= merged.back().second)
-          merged.back().second = thread.second;
-        else
-          merged.push_back(thread);
+        const double held_mm = std::max(0.0, thread.second - free.second);
+        if (threads.size() > before && thread.first <= threads.back().at.second) {
+          threads.back().at.second = thread.second;
+          threads.back().held_mm.second = held_mm;
+        } else {
+          threads.push_back({line, thread, {std::max(0.0, free.first - thread.first), held_mm}});
+        }
       }
-    const double y = static_cast<double>(line) * lines_.spacing_mm;
-    for (const Stretch& thread : merged) {
-      if (thread.second - thread.first < kShortestThread) continue;
-      FillPath path;
-      path.role = PathRole::Bridge;
-      path.points = {lines_.frame.outOfRaster({thread.first, y}),
-                     lines_.frame.outOfRaster({thread.second, y})};
-      threads.push_back(std::move(path));
+    const auto is_short = [](const Thread& thread) {
+      return thread.at.second - thread.at.first < kShortestThread;
+    };
+    threads.erase(
+        std::remove_if(threads.begin() + static_cast<std::ptrdiff_t>(before), threads.end(), is_short),
+        threads.end());
+  }
+
+  /// To and fro, as far as neighbours end beside each other on what holds them.
+  FillPath joinedFrom(std::size_t first, const std::vector<Thread>& threads,
+                      std::vector<bool>& is_laid) const {
+    FillPath run;
+    run.role = PathRole::Bridge;
+    std::optional<std::size_t> next = neighbour(first, ThreadEnd::Second, threads, is_laid);
+    ThreadEnd leaves = ThreadEnd::Second;
+    if (!next) {
+      next = neighbour(first, ThreadEnd::First, threads, is_laid);
+      if (next) leaves = ThreadEnd::First;
     }
+    run.points.push_back(pointAt(threads[first], otherThan(leaves), 0.0));
+    for (std::size_t thread = first;;) {
+      is_laid[thread] = true;
+      run.points.push_back(pointAt(threads[thread], leaves, next ? kCut : 0.0));
+      if (!next) return run;
+      thread = *next;
+      run.points.push_back(pointAt(threads[thread], leaves, kCut));
+      leaves = otherThan(leaves);
+      next = neighbour(thread, leaves, threads, is_laid);
+    }
+  }
+
+  /// A thread of the next line that may be joined to that end.
+  std::optional<std::size_t> neighbour(std::size_t thread, ThreadEnd end, const std::vector<Thread>& threads,
+                                       const std::vector<bool>& is_laid) const {
+    const Thread& from = threads[thread];
+    if (!isHeld(from, end)) return std::nullopt;
+    for (std::size_t i = thread + 1; i < threads.size() && threads[i].line <= from.line + 1; ++i)
+      if (threads[i].line > from.line && !is_laid[i] && isHeld(threads[i], end) &&
+          std::abs(endOf(threads[i].at, end) - endOf(from.at, end)) <= kFarthest * lines_.spacing_mm)
+        return i;
+    return std::nullopt;
+  }
+
+  /// So that it can be cut there.
+  bool isHeld(const Thread& thread, ThreadEnd end) const {
+    return endOf(thread.held_mm, end) >= kLeastHeld * lines_.spacing_mm;
+  }
+
+  /// @param cut  by which the thread is shorter, in spacings
+  Point2 pointAt(const Thread& thread, ThreadEnd end, double cut) const {
+    const double inwards = end == ThreadEnd::First ? cut : -cut;
+    return lines_.frame.outOfRaster({endOf(thread.at, end) + inwards * lines_.spacing_mm,
+                                     static_cast<double>(thread.line) * lines_.spacing_mm});
   }
 
   /// What was too narrow for a piece lies between it and what holds it.

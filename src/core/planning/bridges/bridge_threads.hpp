@@ -18,7 +18,8 @@ struct ThreadLayout {
 
 /// Straight threads side by side over an unsupported piece. Each extends onto the layer below by the anchor;
 /// where that layer ends earlier at another gap, to the middle between the two gaps. All stay within the
-/// walls.
+/// walls. Neighbours that end beside each other, at least a spacing on what holds them, are joined there to a
+/// run to and fro. Joined ends are cut by half a spacing, so that the run deposits as much as they would.
 /// @param piece   [mm]
 /// @param below   material of the layer below: does not overlap the piece
 /// @param inside  walls

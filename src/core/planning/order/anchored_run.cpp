@@ -3,8 +3,12 @@
 #include "planning/order/anchored_run.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
+
+#include "geometry/polygon/plane_vectors.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -54,6 +58,20 @@ FillPath piece(const FillPath& run, std::size_t first, std::size_t last) {
   return part;
 }
 
+/// From a point to the nearest centre line of beads of the part; infinite without any.
+double wayToBeads(const std::vector<Path>& deposited, const Point2& point) {
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const Path& path : deposited) {
+    if (!isPartOfPart(path) || path.deposit != Deposit::Bead) continue;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const Point2 from = path.points[m].head<2>();
+      const Point2 to = path.points[path.motionEnd(m)].head<2>();
+      nearest_mm = std::min(nearest_mm, (nearestOnSegment(from, to, point) - point).norm());
+    }
+  }
+  return nearest_mm;
+}
+
 }  // namespace
 
 std::vector<FillPath> anchored(FillPath run, const std::function<bool(const Point2&)>& carries) {
@@ -64,6 +82,13 @@ std::vector<FillPath> anchored(FillPath run, const std::function<bool(const Poin
   if (run.is_closed) return {startedAt(std::move(run), carried->first)};
   const std::size_t middle = (carried->first + carried->last) / 2;
   return {reversed(piece(run, 0, middle)), piece(run, middle, run.points.size() - 1)};
+}
+
+FillPath begunAtBeads(FillPath run, const std::vector<Path>& deposited) {
+  if (run.is_closed || run.deposit == Deposit::Drops) return run;
+  const bool is_other_nearer =
+      wayToBeads(deposited, run.points.back()) < wayToBeads(deposited, run.points.front());
+  return is_other_nearer ? reversed(std::move(run)) : run;
 }
 
 }  // namespace lamina

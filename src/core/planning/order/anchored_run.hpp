@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/infill/fill_path.hpp"
+#include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
@@ -17,5 +18,9 @@ namespace lamina {
 /// @param carries  whether a point of the run is supported
 /// @return one run, or two
 std::vector<FillPath> anchored(FillPath run, const std::function<bool(const Point2&)>& carries);
+
+/// An open run of beads without support, reversed if its other end is nearer to beads of the part.
+/// @param deposited  paths of the same layer; without beads of the part the run stays as it is
+FillPath begunAtBeads(FillPath run, const std::vector<Path>& deposited);
 
 }  // namespace lamina

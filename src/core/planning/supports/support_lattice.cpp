@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kMostlyOn = 0.5;    // of an interface on the one below
 constexpr double kWithinRim = 1e-3;  // mm: the outermost lines from the border that they follow
+constexpr double kStub = 2.25;       // pitches, two bead widths: a shorter line of a lattice is a needle
 constexpr double kRimLines = 1.5;    // from the rim of an interface to its middle: narrower ones are all rim
 
 using SharedRuns = std::shared_ptr<const std::vector<FillPath>>;
@@ -109,6 +110,14 @@ void addWithinRim(const Regions& centred, const LatticeLines& lines, const Infil
     }
 }
 
+/// A needle that stands by itself breaks off; only a column that has nothing else keeps it.
+std::vector<FillPath> withoutStubs(std::vector<FillPath> runs, const LatticeLines& lines) {
+  const auto is_stub = [&lines](const FillPath& run) { return length(run.points) < kStub * lines.pitch_mm; };
+  if (lines.role != PathRole::Support || std::all_of(runs.begin(), runs.end(), is_stub)) return runs;
+  runs.erase(std::remove_if(runs.begin(), runs.end(), is_stub), runs.end());
+  return runs;
+}
+
 /// With their loops round them, outermost first.
 SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   std::vector<FillPath> runs;
@@ -132,7 +141,7 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
       addWithinRim(centred, lines, request, runs);
       continue;
     }
-    for (FillPath& run : rasterAtPlace(centred, request, phaseOf(lines))) {
+    for (FillPath& run : withoutStubs(rasterAtPlace(centred, request, phaseOf(lines)), lines)) {
       run.role = lines.role;
       runs.push_back(std::move(run));
     }
