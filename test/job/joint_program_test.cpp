@@ -167,6 +167,37 @@ TEST_F(JointProgramTest, AProgramInWhichTheMachineCollidesIsRefusedUnlessAsked) 
   EXPECT_TRUE(std::filesystem::exists(job_.output));
 }
 
+TEST_F(JointProgramTest, WhatIsNotCheckedAgainstTheMachineIsNotedWithHowToCheckIt) {
+  const auto notes = [&](const std::string& output) {
+    std::string all;
+    for (const std::string& note : slice("five_axis_head_table", output).summary.notes) all += note + '\n';
+    return all;
+  };
+  EXPECT_EQ(notes("level.csv").find("not checked"), std::string::npos) << "nothing turns";
+  lean();
+  const std::string unchecked = notes("leaning.csv");
+  EXPECT_NE(unchecked.find("not checked"), std::string::npos) << unchecked;
+  EXPECT_NE(
+      unchecked.find("'lamina check " + folder_.file("leaning.csv") + " --machine five_axis_head_table'"),
+      std::string::npos)
+      << unchecked;
+  EXPECT_EQ(notes("leaning.gcode").find("not checked"), std::string::npos) << "a program is checked";
+  job_.settings.clearance.need = ClearanceNeed::Always;
+  EXPECT_EQ(notes("clear.csv").find("not checked"), std::string::npos);
+  job_.settings.clearance.need = ClearanceNeed::Never;
+  EXPECT_EQ(notes("unasked.csv").find("not checked"), std::string::npos) << "nobody wants to know";
+}
+
+TEST_F(JointProgramTest, ARefusalSaysWhatMeetsWhatAndWhatToTry) {
+  job_.settings.orientation.mode = OrientationMode::Fixed;
+  job_.settings.orientation.fixed = {50.0, 0.0};
+  const std::string text = refusal("five_axis_head_table", "box.gcode");
+  EXPECT_NE(text.find("' in the bed at "), std::string::npos) << text;
+  EXPECT_NE(text.find(" from layer 0 on"), std::string::npos) << text;
+  EXPECT_NE(text.find("; try another machine (machine.name), a tool axis that leans less"), std::string::npos)
+      << text;
+}
+
 TEST_F(JointProgramTest, TheToolAxisIsRaisedWhereTheHeadWouldBeInTheBed) {
   job_.settings.orientation.mode = OrientationMode::Fixed;
   job_.settings.orientation.fixed = {50.0, 0.0};

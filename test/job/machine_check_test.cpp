@@ -106,6 +106,38 @@ TEST(MachineCheck, NamesANozzleInTheBedOnceWhateverTheStepsOfItsMotion) {
   EXPECT_LT(check.collisions[0].tip.z(), 0.0);
 }
 
+// Down through the bed in layer 0, and once more in layer 1.
+TEST(MachineCheck, SaysWhichLinkMeetsWhatHowOftenAndFromWhichLayerOn) {
+  Toolpath dives = travelDownTo(5.0);
+  dives.layers.push_back(travelDownTo(-25.0).layers[0]);
+  dives.layers.push_back(dives.layers[1]);
+  const MachineCheck check = checkOn("irb_4600", dives, {0, 0, 0});
+  ASSERT_TRUE(check.faults.empty());
+  ASSERT_FALSE(check.collisions.empty());
+  for (const Finding& finding : check.collisions) EXPECT_EQ(finding.meeting, "link 'nozzle' in the bed");
+  const std::string count = std::to_string(check.collisions.size());
+  EXPECT_NE(refusal(check, "irb_4600")
+                .find("waypoints): link 'nozzle' in the bed at " + count + " waypoints from layer 1 on"),
+            std::string::npos)
+      << refusal(check, "irb_4600");
+}
+
+TEST(MachineCheck, NamesTheThreeMostFrequentPairs) {
+  MachineCheck check;
+  const auto add = [&](std::size_t layer, const char* meeting) {
+    check.collisions.push_back({{layer, 0, 0}, Point3::Zero(), "collision", "reason", 0, meeting});
+  };
+  add(4, "a in b");
+  for (std::size_t layer : {5, 6, 7}) add(layer, "c in d");
+  for (std::size_t layer : {8, 9}) add(layer, "e in f");
+  add(9, "g in h");
+  EXPECT_NE(refusal(check, "irb_4600")
+                .find("irb_4600 collides at 7 waypoints): c in d at 3 waypoints from layer 5 on, e in f at 2 "
+                      "waypoints from layer 8 on, a in b at 1 waypoint from layer 4 on, and 1 more pair"),
+            std::string::npos)
+      << refusal(check, "irb_4600");
+}
+
 TEST(MachineCheck, CountsCollidingWaypointsAndShowsTheFirstOfEachLayer) {
   const auto arm = kinematicModelByName("irb_4600");
   Toolpath dives = travelDownTo(-25.0);

@@ -23,6 +23,8 @@ struct Finding {
   std::string what;             ///< kind: `toString(JointFault)`, or "collision"
   std::string reason;           ///< explanation for people
   std::size_t line = 0;         ///< line of the program that states the joints, from 1; 0 if none does
+  /// Of a collision: the link and what it meets, "link 'head' in the bed"; empty for faults.
+  std::string meeting = {};
 };
 
 /// Faults and collisions of a toolpath on a machine or robot. A waypoint is listed once for each kind.
@@ -71,7 +73,8 @@ struct SingularBeads {
 SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg);
 
 /// Checks that there are neither faults nor collisions.
-/// @throws Unreachable otherwise, with their numbers and the first of them
+/// @throws Unreachable otherwise, with their numbers, the first of them, and which links
+///   meet what, at how many waypoints, from which layer on
 void requireClear(const MachineCheck& check, const KinematicModel& model);
 
 }  // namespace lamina

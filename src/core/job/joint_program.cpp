@@ -16,6 +16,7 @@
 #include "joint_program.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
@@ -166,6 +167,33 @@ CheckedRun raisedRun(const KinematicModel& model, const SliceJob& job, SlicedPar
   return {*std::move(last), std::move(raised.check)};
 }
 
+/// What may keep a machine from running into something, for people.
+std::string remediesFor(const SliceJob& job, const std::string& mode) {
+  std::vector<std::string> remedies = {"another machine (machine.name)"};
+  if (mode == "volumetric") {
+    remedies.emplace_back("a part that is cut off higher (volumetric.sink_mm)");
+    remedies.emplace_back("layers that tilt less (volumetric.max_tilt_deg)");
+  }
+  if (mode == "heightfield") remedies.emplace_back("layers that slope less (heightfield.max_slope_deg)");
+  if (hasPlaneLayers(mode)) {
+    remedies.emplace_back("a tool axis that leans less (orientation.*)");
+    if (!job.settings.clearance.raises_tool_axis)
+      remedies.emplace_back("or only where there is room (clearance.raise_tool_axis)");
+  } else {
+    remedies.emplace_back("another mode (slicing.mode auto or planar)");
+  }
+  return "; try " + listed(remedies);
+}
+
+void requireClearFor(const SliceJob& job, const std::string& mode, const MachineCheck& check,
+                     const KinematicModel& model) {
+  try {
+    requireClear(check, model);
+  } catch (const Unreachable& refusal) {
+    throw Unreachable(refusal.what() + remediesFor(job, mode));
+  }
+}
+
 /// @throws Unreachable if the machine cannot run the part, or would run into something
 KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
                            const JointPathSettings& joints, Progress& progress) {
@@ -177,7 +205,7 @@ KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, Sli
   CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(model, job, sliced, joints, progress)
                                                       : checkedRun(model, job, sliced, joints, progress);
   requireRunnable(checked.run, model);
-  requireClear(checked.check, model);
+  requireClearFor(job, sliced.summary.mode, checked.check, model);
   return std::move(checked.run);
 }
 
@@ -269,6 +297,16 @@ bool isRefusedUnlessClear(const SliceJob& job) {
       return isProgram(job);
   }
   return false;
+}
+
+std::string noteOnUnchecked(const SliceJob& job) {
+  if (job.output.empty() || job.settings.clearance.need == ClearanceNeed::Never || isRefusedUnlessClear(job))
+    return "";
+  const MachineSettings& machine = job.settings.machine;
+  return "it was not checked whether the machine runs into bed, part or itself: '" + job.output +
+         "' is no program of it (clearance.need turning); 'lamina check " + job.output + " --machine " +
+         (machine.urdf.empty() ? machine.name : machine.urdf) +
+         "' tells, and with clearance.need always only what is clear is written";
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
@@ -30,6 +31,10 @@ JointPathSettings jointsOf(const SliceJob& job, const KinematicModel& model);
 /// for it.
 bool isRefusedUnlessClear(const SliceJob& job);
 
+/// Says of a job whose nozzle turns that nobody checked whether the machine runs into something, and how to
+/// check it; empty if it is checked before it is written, nothing is written, or `clearance.need` is `never`.
+std::string noteOnUnchecked(const SliceJob& job);
+
 /// Refuses a job that asks for G-code of a robot.
 /// @throws InvalidInput
 void requireProgramFor(const SliceJob& job, const BuildSpace& space);
@@ -45,7 +50,8 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// Where a collision is found, the tool axis is raised (`clearance.raise_tool_axis`), which changes the
 /// toolpath in `sliced` and is noted in its summary. What `clearance.need` requires is checked.
 /// @param progress  stages "joints" and "clearance"
-/// @throws Unreachable if the machine cannot run the toolpath, with the first waypoint and the number of them
+/// @throws Unreachable if the machine cannot run the toolpath, with the first waypoint and the number of
+///   them; if it collides, with what to try (`requireClear`)
 /// @throws InvalidConfig if `joints.external` or `joints.rail` is not held, but the dialect of the program
 ///   cannot state external axes
 std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,

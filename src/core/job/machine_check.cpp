@@ -27,6 +27,14 @@ std::string reasonOf(const Collision& collision, const DividedToolpath& divided)
   return link + "what was deposited at " + toText(divided.originalOf(collision.deposited));
 }
 
+/// Whatever place of it a link is in.
+std::string meetingOf(const Collision& collision) {
+  const std::string link = "link '" + collision.link + "' in ";
+  if (collision.obstacle == Obstacle::Bed) return link + "the bed";
+  if (collision.obstacle == Obstacle::Machine) return link + "link '" + collision.other + "'";
+  return link + "deposited material";
+}
+
 /// Findings in the order of the motion. Those of one kind at one waypoint are one: its motion may have many
 /// steps, and a closed path comes to its start twice.
 class Findings {
@@ -82,8 +90,50 @@ std::vector<Finding> collisionsOf(const KinematicModelRun& run, const JointClear
   Lines lines(run);
   for (const Collision& collision : clearance.collisions)
     findings.add({run.divided.originalOf(collision.at), part_from_bed * collision.tip, kCollision,
-                  reasonOf(collision, run.divided), lines.of(collision.at)});
+                  reasonOf(collision, run.divided), lines.of(collision.at), meetingOf(collision)});
   return findings.take();
+}
+
+constexpr std::size_t kMeetingsNamed = 3;
+
+std::string counted(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " waypoint" : " waypoints");
+}
+
+/// A link and what it meets, over a whole run.
+struct Meeting {
+  std::string what;
+  std::size_t waypoints = 0;
+  std::size_t first_layer = 0;
+};
+
+/// The most frequent ones first.
+std::vector<Meeting> meetingsOf(const std::vector<Finding>& collisions) {
+  std::vector<Meeting> meetings;
+  for (const Finding& finding : collisions) {
+    if (finding.meeting.empty()) continue;
+    const auto known = std::find_if(meetings.begin(), meetings.end(),
+                                    [&](const Meeting& meeting) { return meeting.what == finding.meeting; });
+    if (known == meetings.end())
+      meetings.push_back({finding.meeting, 1, finding.at.layer});
+    else
+      ++known->waypoints;
+  }
+  std::stable_sort(meetings.begin(), meetings.end(),
+                   [](const Meeting& a, const Meeting& b) { return a.waypoints > b.waypoints; });
+  return meetings;
+}
+
+/// ": link 'head' in the bed at 7 waypoints from layer 3 on"; empty without collisions.
+std::string meetingsText(const std::vector<Finding>& collisions) {
+  const std::vector<Meeting> meetings = meetingsOf(collisions);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(meetings.size(), kMeetingsNamed); ++i)
+    text += (i == 0 ? ": " : ", ") + meetings[i].what + " at " + counted(meetings[i].waypoints) +
+            " from layer " + std::to_string(meetings[i].first_layer) + " on";
+  if (meetings.size() <= kMeetingsNamed) return text;
+  const std::size_t more = meetings.size() - kMeetingsNamed;
+  return text + ", and " + std::to_string(more) + (more == 1 ? " more pair" : " more pairs");
 }
 
 }  // namespace
@@ -141,14 +191,11 @@ SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& 
 void requireClear(const MachineCheck& check, const KinematicModel& model) {
   if (check.isClear()) return;
   const Finding& first = check.faults.empty() ? check.collisions.front() : check.faults.front();
-  const auto counted = [](std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " waypoint" : " waypoints");
-  };
   std::vector<std::string> found;
   if (!check.faults.empty()) found.push_back("cannot run " + counted(check.faults.size()));
   if (!check.collisions.empty()) found.push_back("collides at " + counted(check.collisions.size()));
   throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + model.name() + " " +
-                    listed(found, " and ") + ")");
+                    listed(found, " and ") + ")" + meetingsText(check.collisions));
 }
 
 }  // namespace lamina

@@ -144,7 +144,7 @@ SettingProbe givenProbe() {
               "slicing.mode=volumetric;volumetric.cell_mm=0.5;volumetric.target=given;"
               "volumetric.target_file=east.csv",
           acrossTable,
-          {{"volumetric.target_file=west.csv"}}};
+          {{"volumetric.target_file=west.csv"}, {"volumetric.foot=free"}}};
 }
 
 SettingProbe fitProbe() {

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,12 +41,13 @@ Fitted fitted(const Mesh& mesh, double cell_mm, GrowthTarget target, double skin
 
 /// Fitted to a direction at each place.
 template <class Direction>
-Fitted fittedAlong(const Mesh& mesh, double cell_mm, const Direction& directionAt) {
+Fitted fittedAlong(const Mesh& mesh, double cell_mm, const Direction& directionAt,
+                   GrowthFoot foot = GrowthFoot::Flat, int rounds = 8) {
   NoProgress progress;
   CellGraph cells(mesh, cell_mm, 0.0, progress);
   const GrowthGauge gauge(kFitLimits);
   ArrivalField arrival = arrivalField(cells, gauge, {0.0, 0.1}, progress);
-  GrowthFitRequest request{GrowthTarget::Given, kFitLimits, 0.44, 0.2, 8, {}};
+  GrowthFitRequest request{GrowthTarget::Given, kFitLimits, 0.44, 0.2, rounds, {}, foot};
   request.given.reserve(cells.nodeCount());
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node)
     request.given.push_back(directionAt(cells.middle(node)));
@@ -175,6 +178,85 @@ TEST(GrowthFit, LiesAcrossOneGivenDirection) {
   });
   EXPECT_LT(off_deg.mean(), 0.2);
   EXPECT_GT(first_deg.mean(), 3.0);
+}
+
+// A cylinder that leans by 45 deg on its elliptic foot: plane layers across its axis from the first one on,
+// of equal thickness. Growth begins at the rim of the foot, at x = -10 mm.
+TEST(GrowthFit, CrossesALeaningCylinderFromItsFootOnIfTheFootIsFree) {
+  Mesh cylinder = makePart("cylinder", {{"radius_mm", "10"}, {"height_mm", "14"}, {"segments", "256"}});
+  for (Point3& vertex : cylinder.vertices) vertex.x() += vertex.z();
+  const Point3 axis = Point3(1.0, 0.0, 1.0).normalized();
+  const auto along = [&](const Point3&) { return axis; };
+  const Fitted part = fittedAlong(cylinder, 1.0, along, GrowthFoot::Free);
+  Mean is_off;  // at crumbs of a cell without neighbours all around
+  visitNodes(part, [&](const Point3& place, double growth, const Point3& gradient) {
+    is_off.add(angleDeg(gradient, axis) > 0.2 || std::abs(gradient.norm() - 1.0) > 0.002 ? 1.0 : 0.0);
+    EXPECT_NEAR(growth, axis.dot(place + Point3(10.0, 0.0, 0.0)), 0.4) << place.transpose();  // bits of 0.25
+  });
+  EXPECT_LT(is_off.mean(), 0.01);
+  Mean bound_deg;
+  visitNodes(fittedAlong(cylinder, 1.0, along), [&](const Point3& place, double, const Point3& gradient) {
+    if (place.z() < 1.0 && place.x() < 8.0) bound_deg.add(angleDeg(gradient, axis));
+  });
+  EXPECT_GT(bound_deg.mean(), 5.0) << "a flat first layer";
+}
+
+TEST(GrowthFit, BeginsAtTheBedInEachBodyIfTheFootIsFree) {
+  Mesh boxes = test::boxBetween({0, 0, 0}, {6, 6, 8});
+  const Mesh other = test::boxBetween({12, 0, 0}, {18, 6, 5});
+  const auto count = static_cast<std::uint32_t>(boxes.vertices.size());
+  boxes.vertices.insert(boxes.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Triangle& corner : other.triangles)
+    boxes.triangles.push_back({corner[0] + count, corner[1] + count, corner[2] + count});
+  const Fitted part = fittedAlong(
+      boxes, 1.0, [](const Point3&) { return Point3(Point3::UnitZ()); }, GrowthFoot::Free);
+  visitNodes(part, [](const Point3& place, double growth, const Point3&) {
+    EXPECT_NEAR(growth, place.z(), 1e-3) << place.transpose();
+  });
+}
+
+// Layers that use up an overhang of 25 deg on a wall that leans by 50 deg, about the apex of its cone, 10 mm
+// below the bed: with R and phi polar there, growth R cos²(phi / 2) = (R + z) / 2 tilts by phi / 2 and is
+// 1 / cos(phi / 2) as thick. Directions alone leave open how thick layers are one after the other, so that
+// the fit is a function of this growth.
+TEST(GrowthFit, ReturnsTheGrowthOfAConeThatUsesUpItsOverhang) {
+  const double slope = std::tan(toRadians(50.0));
+  const Mesh frustum =
+      test::loftedSolid({0.0, 10.0}, 128, [&](double, double z) { return slope * (z + 10.0); });
+  const Point3 apex(0.0, 0.0, -10.0);
+  const auto gradientAt = [&](const Point3& place) {
+    return Point3(0.5 * ((place - apex).normalized() + Point3::UnitZ()));
+  };
+  const Fitted part = fittedAlong(
+      frustum, 1.0, [&](const Point3& place) { return Point3(gradientAt(place).normalized()); },
+      GrowthFoot::Free, 16);
+  Mean off_deg;
+  Mean at_axis;  // steepness over the true one, in one growth
+  Mean at_wall;
+  std::vector<double> truth;
+  std::vector<double> fit;
+  visitNodes(part, [&](const Point3& place, double growth, const Point3& gradient) {
+    off_deg.add(angleDeg(gradient, gradientAt(place)));
+    truth.push_back(0.5 * ((place - apex).norm() + place.z() + 10.0));
+    fit.push_back(growth);
+    if (std::abs(truth.back() - 17.0) > 1.0) return;
+    const double lean_deg = angleDeg(place - apex, Point3::UnitZ());
+    if (lean_deg < 12.0) at_axis.add(gradient.norm() / gradientAt(place).norm());
+    if (lean_deg > 42.0) at_wall.add(gradient.norm() / gradientAt(place).norm());
+  });
+  EXPECT_LT(off_deg.mean(), 0.5);
+  EXPECT_NEAR(at_wall.mean() / at_axis.mean(), 1.0, 0.03) << "1.10 times as thick at the wall";
+  // The function, to the third power.
+  const auto count = static_cast<Eigen::Index>(truth.size());
+  Eigen::MatrixX4d powers(count, 4);
+  Eigen::VectorXd values(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double from_middle = (truth[static_cast<std::size_t>(i)] - 15.0) / 10.0;
+    powers.row(i) << 1.0, from_middle, from_middle * from_middle, std::pow(from_middle, 3);
+    values[i] = fit[static_cast<std::size_t>(i)];
+  }
+  const Eigen::VectorXd miss = powers * powers.colPivHouseholderQr().solve(values) - values;
+  EXPECT_LT(std::sqrt(miss.squaredNorm() / static_cast<double>(count)), 0.1) << "a tenth of a cell";
 }
 
 // The lengths that make a gradient of the tangents of a bend, 1 / distance from its axis, are found by

@@ -52,6 +52,36 @@ TEST(VolumetricLayers, LieAcrossABentRodIfAskedTo) {
   EXPECT_NEAR(volumeFilledBy(across.layers), volume(rod), 0.02 * volume(rod));
 }
 
+// Of a cylinder that leans, on its elliptic foot: no surface overhangs them.
+TEST(VolumetricLayers, LieAcrossALeaningCylinderFromItsFootOnIfTheFootIsFree) {
+  Mesh cylinder = makePart("cylinder", {{"radius_mm", "6"}, {"height_mm", "8"}, {"segments", "128"}});
+  for (Point3& vertex : cylinder.vertices) vertex.x() += vertex.z();
+  VolumetricRequest request = usualRequest();
+  request.settings.target = GrowthTarget::Given;
+  request.settings.foot = GrowthFoot::Free;
+  request.directions = {{Point3::Zero(), Point3(1.0, 0.0, 1.0).normalized()}};
+  const VolumetricLayers across = grownLayers(cylinder, request);
+  EXPECT_EQ(across.measures.fitted, 1.0) << across.measures.fit_loss;
+  EXPECT_NEAR(across.measures.tilt_deg, 45.0, 0.5);
+  EXPECT_LT(across.measures.unsupported_mm2, 1e-3 * across.measures.surface_mm2);
+  EXPECT_NEAR(volumeFilledBy(across.layers), volume(cylinder), 0.02 * volume(cylinder));
+}
+
+// The cube root of 216 mm³ over half a million is far less.
+TEST(VolumetricLayers, OfASmallPartGrowInCellsOfTwoThirdsOfABead) {
+  VolumetricRequest request = usualRequest(0.0);
+  request.bead_mm = 0.9;
+  EXPECT_NEAR(grownLayers(test::boxBetween({0, 0, 0}, {6, 6, 6}), request).measures.cell_mm, 0.6, 1e-12);
+}
+
+TEST(VolumetricLayers, HaveNoFreeFootWhereNothingIsFitted) {
+  VolumetricSettings settings;
+  settings.foot = GrowthFoot::Free;
+  EXPECT_THROW(requireConsistent(settings), InvalidConfig);
+  settings.target = GrowthTarget::Smooth;
+  EXPECT_NO_THROW(requireConsistent(settings));
+}
+
 // Layers across a bend of 2 mm about a rod of 4 mm would be far thicker outside than inside.
 TEST(VolumetricLayers, SayWhyAFitIsNotTaken) {
   const Mesh rod =

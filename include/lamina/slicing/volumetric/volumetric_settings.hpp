@@ -13,6 +13,10 @@ namespace lamina {
 /// part, from the bed to its ends. `Given`: to lie across directions from a file.
 enum class GrowthTarget { Arrival, Smooth, Surface, Tangent, Given };
 
+/// How fitted layers meet the bed. `Flat`: the first layer is flat. `Free`: at any angle, as on belts and
+/// below heads that deposit.
+enum class GrowthFoot { Flat, Free };
+
 /// How a part is cut into layers of equal growth.
 struct VolumetricSettings {
   double cell_mm = 0.0;  ///< side of the cells in which growth is computed; 0 to derive it from the volume
@@ -26,6 +30,7 @@ struct VolumetricSettings {
   double deviation_deg = 55.0;  ///< greatest angle by which the tool axis leans from the layer's normal
   double sink_mm = 0.0;         ///< depth by which the part is sunk into the bed, and cut off there
   GrowthTarget target = GrowthTarget::Arrival;  ///< what layers are fitted to
+  GrowthFoot foot = GrowthFoot::Flat;           ///< how layers fitted to `target` meet the bed
   std::string target_file;  ///< path of the table of directions if `target` is Given; else empty
   /// Greatest angle between a skin and the layers of the arrival field at which fitted layers follow the
   /// skin.
@@ -44,7 +49,7 @@ struct VolumetricSettings {
 void describe(SettingsSchema& schema, VolumetricSettings& settings);
 
 /// @throws InvalidConfig if `overhang_used_deg` exceeds `max_overhang_deg`, if `target` is Given without
-///   `target_file`, or another with one
+///   `target_file`, or another with one, or if `foot` is Free and nothing is fitted
 void requireConsistent(const VolumetricSettings& settings);
 
 }  // namespace lamina

@@ -165,6 +165,15 @@ void addNoteOnOpen(SliceSummary& summary, const LeftOpen& open, const std::strin
   summary.notes.emplace_back(text);
 }
 
+void addNoteOnUnchecked(SliceSummary& summary, const Toolpath& oriented, const PlanningRequest& request) {
+  constexpr double kTurned = toRadians(0.01);
+  if (!canTurnToolAxis(request.space) ||
+      greatestToolAxisTurn(oriented, request.bed_from_part, request.space) <= kTurned)
+    return;
+  std::string note = noteOnUnchecked(request.job);
+  if (!note.empty()) summary.notes.push_back(std::move(note));
+}
+
 bool needsPart(const JobSettings& settings) {
   return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
 }
@@ -191,7 +200,9 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   requireNearNormal(as_sliced, oriented.toolpath, settings.orientation);
   summary.orientation = oriented.report;
   for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
-  if (!hasPlaneLayers(summary.mode) && (!planned.is_fitted || changesOrientation(settings.orientation))) {
+  const bool is_checked = planned.is_fitted && !changesOrientation(settings.orientation);
+  if (!is_checked) addNoteOnUnchecked(summary, oriented.toolpath, request);
+  if (!hasPlaneLayers(summary.mode) && !is_checked) {
     StackFit fit = fitStack(std::move(oriented.toolpath), planned.standing_mm, request, progress);
     oriented.toolpath = std::move(fit.toolpath);
     for (std::string& note : fit.notes) summary.notes.push_back(std::move(note));

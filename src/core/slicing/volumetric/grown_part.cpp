@@ -154,7 +154,8 @@ GrownPart fitted(GrownPart arrived, Progress& progress) {
                          toRadians(settings.skin_slope_deg),
                          request.slicing.first_layer_height_mm,
                          settings.rounds,
-                         {}};
+                         {},
+                         settings.foot};
   if (settings.target == GrowthTarget::Given)
     asked.given = directionsAtNodes(arrived.cells(), request.directions, progress);
   const ArrivalField fit = fittedGrowth(arrived.mesh, growth, asked, progress);

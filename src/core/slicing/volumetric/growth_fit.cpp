@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ constexpr double kThinnerShare = 0.005;  // of the volume
 constexpr double kLevelGradient = 0.02;  // from that of level growth
 constexpr double kResidual = 1e-7;
 constexpr int kIterations = 2000;
+constexpr double kOnBedMm = 1e-9;
 // Of the squares of the 26 ways to neighbours along any direction, each way counted from one of its ends.
 constexpr double kPerLink = 3.0 / 13.0;
 
@@ -82,16 +84,17 @@ class GrowthFit {
   }
 
   ArrivalField run() {
-    const std::vector<char> stands = standing();
+    const std::vector<char> foot = standing();
+    const std::vector<Point3> along =
+        request_.target == GrowthTarget::Tangent ? gradientsAlong(foot) : std::vector<Point3>();
+    const std::vector<char> stands = isFree() ? anchors() : foot;
     const PoissonSolver poisson(poissonMatrix(stands));
     const PoissonSolver smoothing(smoothingMatrix());
-    const std::vector<Point3> along =
-        request_.target == GrowthTarget::Tangent ? gradientsAlong(poisson, stands) : std::vector<Point3>();
     std::vector<Point3> wanted;
     for (int round = 0; round < request_.rounds; ++round) {
       progress_.report("fit", static_cast<double>(round) / request_.rounds);
       throwIfCancelled(progress_, "fit");
-      wanted = wantedGradients(directionsFor(smoothing, along), stands);
+      wanted = wantedGradients(directionsFor(smoothing, along), foot);
       fit(poisson, stands, wanted);
     }
     const double steepest = steepestGradient();
@@ -99,10 +102,13 @@ class GrowthFit {
       for (Point3& gradient : wanted) gradient /= steepest;
       fit(poisson, stands, wanted);
     }
+    if (isFree()) beginAtBed();
     return result();
   }
 
  private:
+  bool isFree() const { return request_.foot == GrowthFoot::Free; }
+
   bool isReached(std::uint32_t node) const { return std::isfinite(arrival_.growth_mm[node]); }
   double rise(std::uint32_t node) const { return cells_.middle(node).z() - arrival_.bed_mm; }
 
@@ -126,14 +132,70 @@ class GrowthFit {
     return arrived_[a].dot(arrived_[b]) < kFold * arrived_[a].norm() * arrived_[b].norm();
   }
 
-  /// Where growth stays as it is.
+  /// Where growth stays as it is, unless the foot is free; what lies next to the bed need not be level then.
   std::vector<char> standing() const {
     std::vector<char> stands(cells_.nodeCount(), 0);
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
       stands[node] = static_cast<char>(!isReached(node) ||
-                                       (arrival_.is_level[node] != 0 &&
+                                       ((isFree() || arrival_.is_level[node] != 0) &&
                                         cells_.corner(node).z() < arrival_.bed_mm + request_.first_layer_mm));
     return stands;
+  }
+
+  /// The body that each node belongs to, of those that links join; `kNone` where growth does not reach.
+  std::vector<std::uint32_t> bodies() const {
+    std::vector<std::uint32_t> body(cells_.nodeCount(), CellGraph::kNone);
+    std::vector<std::uint32_t> open;
+    open.reserve(cells_.nodeCount());
+    for (std::uint32_t first = 0; first < cells_.nodeCount(); ++first) {
+      if (!isReached(first) || body[first] != CellGraph::kNone) continue;
+      body[first] = first;
+      for (open.push_back(first); !open.empty();) {
+        const std::uint32_t node = open.back();
+        open.pop_back();
+        for (const std::uint32_t near : cells_.links(node)) {
+          if (!isReached(near) || body[near] != CellGraph::kNone) continue;
+          body[near] = first;
+          open.push_back(near);
+        }
+      }
+    }
+    return body;
+  }
+
+  /// One node of each body, for a field whose foot is free but for a constant.
+  std::vector<char> anchors() const {
+    std::vector<char> stands(cells_.nodeCount(), 0);
+    const std::vector<std::uint32_t> body = bodies();
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      stands[node] = static_cast<char>(body[node] == CellGraph::kNone || body[node] == node);
+    return stands;
+  }
+
+  /// The least growth at the corners of a node's bits; those within half a bit of the bed are on it.
+  double leastGrowth(std::uint32_t node) const {
+    const Point3& gradient = gradient_[node];
+    const double half = 0.5 * cells_.bitSide();
+    double least = std::numeric_limits<double>::infinity();
+    for (int bit = 0; bit < 64; ++bit) {
+      if ((cells_.bits(node) >> bit & 1U) == 0) continue;
+      Point3 corner = cells_.corner(node);
+      corner += cells_.bitSide() * Point3(bit % 4 + 0.5, bit / 4 % 4 + 0.5, bit / 16 + 0.5);
+      corner -= half * Point3(gradient.array().sign());
+      if (corner.z() < arrival_.bed_mm + half + kOnBedMm) corner.z() = arrival_.bed_mm;
+      least = std::min(least, gradient.dot(corner - cells_.middle(node)));
+    }
+    return growth_[node] + least;
+  }
+
+  /// Moves growth so that it begins with 0 in each body.
+  void beginAtBed() {
+    const std::vector<std::uint32_t> body = bodies();
+    std::vector<double> least(cells_.nodeCount(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      if (body[node] != CellGraph::kNone) least[body[node]] = std::min(least[body[node]], leastGrowth(node));
+    for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node)
+      if (body[node] != CellGraph::kNone) growth_[node] -= least[body[node]];
   }
 
   /// Of all nodes: one that is given has a row of its own.
@@ -246,8 +308,8 @@ class GrowthFit {
   }
 
   /// Along the part from the bed to its ends, by the harmonic field between them.
-  std::vector<Point3> gradientsAlong(const PoissonSolver& poisson, const std::vector<char>& stands) const {
-    const std::vector<double> depths = depthsIn(poisson, stands);
+  std::vector<Point3> gradientsAlong(const std::vector<char>& stands) const {
+    const std::vector<double> depths = depthsIn(PoissonSolver(poissonMatrix(stands)), stands);
     const std::vector<Point3> ends = limbEnds({mesh_, cells_, skin_, depths});
     if (std::all_of(ends.begin(), ends.end(), [](const Point3& normal) { return normal.isZero(); }))
       throw Unsliceable(
@@ -293,7 +355,7 @@ class GrowthFit {
 
   /// Directions within the limits, of the length that growth is to have: their own along a part and as given,
   /// else that of the arrival.
-  std::vector<Point3> wantedGradients(std::vector<Point3> directions, const std::vector<char>& stands) const {
+  std::vector<Point3> wantedGradients(std::vector<Point3> directions, const std::vector<char>& foot) const {
     const bool is_along = request_.target == GrowthTarget::Tangent || request_.target == GrowthTarget::Given;
     std::vector<double> lengths(cells_.nodeCount(), 1.0);
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node) {
@@ -307,7 +369,7 @@ class GrowthFit {
     const double deepest = -std::sin(request_.limits.overhang_rad);
     for (const SkinPart& part : skin_) {
       Point3& direction = directions[part.node];
-      if (stands[part.node] == 0 && part.normal.dot(direction) < deepest)
+      if (foot[part.node] == 0 && part.normal.dot(direction) < deepest)
         direction = atAngle(direction, part.normal, M_PI_2 + request_.limits.overhang_rad);
     }
     for (std::uint32_t node = 0; node < cells_.nodeCount(); ++node) {

@@ -29,6 +29,7 @@ struct GrowthFitRequest {
   int rounds = 8;                ///< of directions and field in turn; at least 1
   /// Of unit length, at each node of the part, if the target is `Given`; else empty.
   std::vector<Point3> given = {};
+  GrowthFoot foot = GrowthFoot::Flat;  ///< if free, growth changes in the first layer too
 };
 
 /// Growth whose gradient is as near as it can be, by least squares over the part, to wanted directions:
@@ -44,8 +45,9 @@ struct GrowthFitRequest {
 /// gradient's length is that of the arrival field, for `Tangent` 1, for `Given` what the field of the round
 /// before has along the direction, within the bounds of thickness. The result is scaled so that its gradient
 /// exceeds 1, where layers are thinner than their nominal height, in at most 0.5 % of the volume. Where
-/// fronts of the arrival field meet, the fold between them stays as it is. Nodes that no growth reaches stay
-/// so. The result need not keep the limits: that is for the caller to check.
+/// fronts of the arrival field meet, the fold between them stays as it is. With a free foot growth begins
+/// with 0 at the place of each body that it reaches first. Nodes that no growth reaches stay so. The result
+/// need not keep the limits: that is for the caller to check.
 ///
 /// Source: directions and a Poisson equation in turn, as [Liu2008] alternates local and global steps.
 /// @param mesh  closed, facing outwards [mm, part frame]

@@ -37,6 +37,9 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
        {"given", GrowthTarget::Given}},
       "What volumetric layers are fitted to: nothing, smooth layers, upper skins, the "
       "way along the part, or given directions.");
+  schema.choice<GrowthFoot>("volumetric.foot", settings.foot,
+                            {{"flat", GrowthFoot::Flat}, {"free", GrowthFoot::Free}},
+                            "How fitted layers meet the bed: the first one flat, or at any angle.");
   schema.text(
       "volumetric.target_file", settings.target_file,
       "Table of directions (CSV: x,y,z,nx,ny,nz) that layers lie across with volumetric.target given.");
@@ -59,6 +62,10 @@ void requireConsistent(const VolumetricSettings& settings) {
     throw InvalidConfig("volumetric.overhang_used_deg is " + numberText(settings.overhang_used_deg) +
                         "; must be at most volumetric.max_overhang_deg, " +
                         numberText(settings.max_overhang_deg));
+  if (settings.foot == GrowthFoot::Free && settings.target == GrowthTarget::Arrival)
+    throw InvalidConfig(
+        "volumetric.foot is 'free' with volumetric.target 'arrival', which fits nothing; expected flat, or "
+        "another target");
   if (settings.target == GrowthTarget::Given && settings.target_file.empty())
     throw InvalidConfig(
         "volumetric.target is 'given' without volumetric.target_file; expected a table of directions");
