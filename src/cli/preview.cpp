@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/profile_options.hpp"
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
@@ -22,6 +23,7 @@ struct PreviewArguments {
   std::string input;
   std::string output = "preview.png";
   std::string part;
+  ProfileOptions machine;
   SettingOptions settings;
   std::optional<std::size_t> layer;
   std::string view = "oblique";
@@ -45,12 +47,20 @@ void print(const Toolpath& toolpath, const PreviewArguments& arguments, OutputFo
   std::printf("%s\n", json.dump(2).c_str());
 }
 
+/// Without a machine nothing follows from one.
+JobSettings jobOf(const PreviewArguments& arguments) {
+  return arguments.machine.machine.empty()
+             ? jobSettingsFrom(arguments.settings)
+             : layeredSettingsFrom(arguments.machine, arguments.settings).settings;
+}
+
 /// What one layer leaves of the part; the others need not be looked at.
-LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& arguments) {
+LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& arguments,
+                        const JobSettings& settings) {
   if (arguments.part.empty()) return {};
   VoidJob job;
   job.part = arguments.part;
-  job.settings = jobSettingsFrom(arguments.settings);
+  job.settings = settings;
   TerminalProgress progress;
   VoidReport report;
   report.part = placeContours(toolpath, job, progress);
@@ -67,13 +77,13 @@ void preview(const PreviewArguments& arguments, OutputFormat format) {
   requireApart({arguments.output}, {arguments.input, arguments.part, arguments.settings.config});
   if (!arguments.part.empty() && !arguments.layer)
     throw InvalidInput("--part is '" + arguments.part + "' without --layer; voids are drawn in one layer");
-  const JobSettings job = jobSettingsFrom(arguments.settings);
+  const JobSettings job = jobOf(arguments);
   const Toolpath toolpath = readToolpath(arguments.input, job).toolpath;
   ToolpathPictureSettings settings;
   settings.view = arguments.view == "top" ? PictureView::Top : PictureView::Oblique;
   settings.colour = arguments.colour == "height" ? PictureColour::Height : PictureColour::Role;
   if (arguments.layer)
-    drawToolpathLayer(toolpath, *arguments.layer, overlayFor(toolpath, arguments), settings,
+    drawToolpathLayer(toolpath, *arguments.layer, overlayFor(toolpath, arguments, job), settings,
                       arguments.output);
   else
     drawToolpath(toolpath, settings, arguments.output);
@@ -101,6 +111,7 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--colour", arguments->colour, "What the colours report")
       ->check(CLI::IsMember({"role", "height"}))
       ->capture_default_str();
+  addMachineOption(*subcommand, arguments->machine);
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(

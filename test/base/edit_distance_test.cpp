@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace lamina {
 namespace {
 
@@ -15,6 +18,16 @@ TEST(EditDistance, SuggestsTheNearestName) {
   EXPECT_EQ(suggestionFor({"bridges.use", "fan.use"}, "bogus.key"), "") << "nothing is like it";
   EXPECT_EQ(suggestionFor({"box"}, "foo"), "");
   EXPECT_EQ(suggestionFor({"bead.width_mm"}, "width_mm"), "; did you mean 'bead.width_mm'?");
+}
+
+TEST(EditDistance, SuggestsNamesThatHoldTheGivenWordsFirst) {
+  const std::vector<std::string> names{"layers.eight", "slicing.first_layer_height_mm",
+                                       "slicing.layer_height_mm", "program.nozzle_temperature_c"};
+  EXPECT_EQ(suggestionFor(names, "layer_height"), "; did you mean 'slicing.layer_height_mm'?")
+      << "of two that hold it the nearer one, before one that is nearer still and does not";
+  EXPECT_EQ(suggestionFor(names, "temperature"), "; did you mean 'program.nozzle_temperature_c'?");
+  EXPECT_EQ(suggestionFor(names, "temp"), "") << "a part of a word is none";
+  EXPECT_EQ(suggestionFor(names, ""), "");
 }
 
 }  // namespace

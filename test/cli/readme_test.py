@@ -74,6 +74,15 @@ class Pages(unittest.TestCase):
         done = subprocess.run([LAMINA, "slice", "box"], capture_output=True, text=True, check=True)
         self.assertEqual(done.stdout.splitlines()[-1], "written to  no file: -o FILE.gcode would write the program")
 
+    def test_a_program_is_drawn_on_the_machine_of_a_profile(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            program = f"{scratch}/box.gcode"
+            options = ["--machine", "open5x_i3", "--set", "five_axis.use=always", "--set", "slicing.layer_height_mm=0.3"]
+            subprocess.run([LAMINA, "slice", "box", *options, "-o", program], check=True, capture_output=True)
+            drawn = [LAMINA, "preview", program, "-o", f"{scratch}/box.png"]
+            self.assertNotEqual(subprocess.run(drawn, capture_output=True, check=False).returncode, 0)  # its axes are U and V
+            subprocess.run([*drawn, "--machine", "open5x_i3"], check=True, capture_output=True)
+
     def test_the_example_of_the_readme_is_the_one_that_is_compiled(self):
         (example,) = re.findall(r"```cpp\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)
         self.assertEqual(example, (SOURCE / "examples/01_slice.cpp").read_text())

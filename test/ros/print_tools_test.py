@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, tools/compare_deposit of a deposit,
+"""What tools/demo understands, what tools/print_inclined and tools/print_by_joints make of what a machine reports, tools/compare_deposit of a deposit,
 tools/draw_closed_loop of two prints and
 tools/draw_cell of a cell's timeline, without a master.
 
@@ -13,8 +13,10 @@ import importlib.util
 import io
 import json
 import pathlib
+import shutil
 import socket
 import struct
+import subprocess
 import sys
 import tempfile
 import threading
@@ -228,6 +230,52 @@ class Cell(unittest.TestCase):
             timeline.layer("ring", 4)
         self.assertEqual(said.getvalue().count("Execute"), 1)
         self.assertEqual(len(timeline.layers), 1)
+
+
+class Demo(unittest.TestCase):
+    """A tree whose tools/install-dependencies fails: what the demo would do until then."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = pathlib.Path(self.folder.name).resolve() / "lamina"
+        (self.root / "tools").mkdir(parents=True)
+        shutil.copy(ROOT / "tools/demo", self.root / "tools/demo")
+        installer = self.root / "tools/install-dependencies"
+        installer.write_text("#!/bin/sh\nexit 77\n")
+        installer.chmod(0o755)
+
+    def demo(self, *arguments):
+        command = ["bash", "-x", self.root / "tools/demo", *arguments]
+        return subprocess.run(command, cwd=self.folder.name, capture_output=True, text=True, check=False)
+
+    def test_help_is_all_of_its_head(self):
+        done = self.demo("--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("--speed-up X", done.stdout)
+        self.assertIn("journal and files of the cell.", done.stdout)
+        self.assertNotIn("#", done.stdout)
+
+    def test_an_unknown_option_is_named(self):
+        done = self.demo("--volumetrc")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--volumetrc is no option", done.stderr)
+
+    def test_a_mesh_that_is_not_there_is_named_before_anything_is_installed(self):
+        done = self.demo("models/duck.stl")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no file models/duck.stl", done.stderr)
+
+    def test_a_mesh_is_found_from_where_the_demo_is_called(self):
+        (pathlib.Path(self.folder.name) / "duck.stl").touch()
+        done = self.demo("duck.stl")
+        self.assertEqual(done.returncode, 77)
+        self.assertIn(f"part={self.root.parent}/duck.stl", done.stderr)
+
+    def test_the_cell_of_the_robot_is_that_of_the_tree(self):
+        done = self.demo("--robot")
+        self.assertEqual(done.returncode, 77)
+        self.assertIn(f"machine_of_joints={self.root}/examples/robots/tilting_cell/cell.yaml", done.stderr)
 
 
 if __name__ == "__main__":

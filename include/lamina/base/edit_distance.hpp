@@ -14,8 +14,9 @@ namespace lamina {
 std::size_t editDistance(std::string_view a, std::string_view b);
 
 /// "; did you mean '...'?" with the name at the least edit distance from what was given, the first of
-/// several. Empty if there are no names, or if the distance is more than half the length of the longer of the
-/// two texts.
+/// several; names that hold it as whole words ("layer_height" in "slicing.layer_height_mm") go before all
+/// others. Empty if nothing is given, if there are no names, or if the distance is more than half the length
+/// of the longer of the two texts and no name holds these words.
 std::string suggestionFor(const std::vector<std::string>& names, std::string_view given);
 
 }  // namespace lamina

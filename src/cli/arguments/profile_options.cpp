@@ -4,10 +4,14 @@
 
 namespace lamina::cli {
 
-void addProfileOptions(CLI::App& subcommand, ProfileOptions& options) {
+void addMachineOption(CLI::App& subcommand, ProfileOptions& options) {
   subcommand.add_option(
       "--machine", options.machine,
       "Profile of the machine (lamina profiles), machine of machine.name, or a file (.yaml, .urdf)");
+}
+
+void addProfileOptions(CLI::App& subcommand, ProfileOptions& options) {
+  addMachineOption(subcommand, options);
   subcommand.add_option("--material", options.material, "Profile of the material, or its file (.yaml)");
   subcommand.add_option("--process", options.process, "Profile of the process, or its file (.yaml)");
   subcommand.add_option("--like", options.like,

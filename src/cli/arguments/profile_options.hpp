@@ -18,6 +18,9 @@ struct ProfileOptions {
   std::string like;
 };
 
+/// Adds `--machine`.
+void addMachineOption(CLI::App& subcommand, ProfileOptions& options);
+
 /// Adds all of them.
 void addProfileOptions(CLI::App& subcommand, ProfileOptions& options);
 

@@ -22,14 +22,31 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+namespace {
+
+/// Whether a name holds the given words between its dots and underscores: "slicing.layer_height_mm" those of
+/// "layer_height".
+bool holdsWords(std::string_view name, std::string_view given) {
+  const auto isEdge = [name](std::size_t at) {
+    return at >= name.size() || name[at] == '.' || name[at] == '_';
+  };
+  for (std::size_t at = name.find(given); at != std::string_view::npos; at = name.find(given, at + 1))
+    if ((at == 0 || isEdge(at - 1)) && isEdge(at + given.size())) return true;
+  return false;
+}
+
+}  // namespace
+
 std::string suggestionFor(const std::vector<std::string>& names, std::string_view given) {
   const auto nearest =
       std::min_element(names.begin(), names.end(), [given](const std::string& a, const std::string& b) {
-        return editDistance(a, given) < editDistance(b, given);
+        const bool a_holds = holdsWords(a, given);
+        return a_holds == holdsWords(b, given) ? editDistance(a, given) < editDistance(b, given) : a_holds;
       });
   if (nearest == names.end()) return "";
-  const bool is_like = 2 * editDistance(*nearest, given) <= std::max(nearest->size(), given.size());
-  return is_like ? "; did you mean '" + *nearest + "'?" : "";
+  const bool is_like = holdsWords(*nearest, given) ||
+                       2 * editDistance(*nearest, given) <= std::max(nearest->size(), given.size());
+  return is_like && !given.empty() ? "; did you mean '" + *nearest + "'?" : "";
 }
 
 }  // namespace lamina
