@@ -41,7 +41,9 @@
 #include <lamina/LoopState.h>
 #include <lamina/MachineRest.h>
 #include <lamina/MachineState.h>
+#include <lamina/ManualState.h>
 #include <lamina/Measuring.h>
+#include <lamina/MoveByHand.h>
 #include <lamina/OptimiseAction.h>
 #include <lamina/PackmlCommand.h>
 #include <lamina/PackmlStatus.h>

@@ -36,6 +36,7 @@ inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/
 inline constexpr char kJogTwist[] = "jog_twist";                    ///< geometry_msgs/TwistStamped
 inline constexpr char kJogJoints[] = "jog_joints";                  ///< sensor_msgs/JointState
 inline constexpr char kJogState[] = "jog_state";                    ///< lamina/JogState, latched
+inline constexpr char kManualState[] = "manual_state";              ///< lamina/ManualState, latched
 inline constexpr char kSpeedFactor[] = "speed_factor";              ///< std_msgs/Float64
 inline constexpr char kPartMarkers[] = "part_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched
@@ -92,6 +93,7 @@ inline constexpr char kFinishMeasuring[] = "finish_measuring";  ///< lamina/Fini
 
 inline constexpr char kPackmlCommand[] = "packml_command";        ///< lamina/PackmlCommand
 inline constexpr char kSetUnitMode[] = "set_mode";                ///< lamina/SetUnitMode
+inline constexpr char kMoveByHand[] = "move_by_hand";             ///< lamina/MoveByHand
 inline constexpr char kEnqueueJob[] = "enqueue_job";              ///< lamina/EnqueueJob
 inline constexpr char kChangeQueue[] = "change_queue";            ///< lamina/ChangeQueue
 inline constexpr char kAcknowledgeAlarm[] = "acknowledge_alarm";  ///< lamina/AcknowledgeAlarm

@@ -4,6 +4,7 @@ import { drawHeat, forgetSamples, lastSample, showHeat, takeSamples } from "/pag
 import { showCommands, wireCommands } from "/page/commands.js";
 import { byId, clockTime, fillTexts, setText } from "/page/elements.js";
 import { drawDeviation, drawPreview, layerCount, showLayers, showPreview, wirePreview } from "/page/layers.js";
+import { showManual, wireManual } from "/page/manual.js";
 import { showQueue, showRequests, wireUpload } from "/page/queue.js";
 import {
   forgetLog, history, showAlarms, showStartup, showState, takeEvents, wireLog, wireStartup,
@@ -52,6 +53,7 @@ function onState(next) {
   showPreview(state);
   showCamera(state.has_camera, wasLost);
   showUnit(state);
+  showManual(state, rights);
 }
 
 /** The picture of a link that was lost stands still: it is asked for anew. */
@@ -171,6 +173,7 @@ async function begin() {
   wireLog();
   wirePreview();
   wireMaintenance();
+  wireManual();
   window.addEventListener("resize", redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   setInterval(() => link && showStale(), 500);

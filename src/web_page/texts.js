@@ -174,6 +174,23 @@ export const texts = {
   mode_1: "Production",
   mode_2: "Maintenance",
   mode_3: "Manual",
+  manual: "By hand",
+  manual_take: "Take the machine",
+  manual_release: "Release the machine",
+  manual_frame: "Frame",
+  manual_joints: "Joints",
+  manual_nozzle: "Tool",
+  manual_part: "Part",
+  manual_bed: "Machine",
+  manual_step: "Step",
+  manual_step_01: "0.1 mm or °",
+  manual_step_1: "1 mm or °",
+  manual_step_5: "5 mm or °",
+  manual_button: (axis, sign) => `${axis} ${sign > 0 ? "plus" : "minus"}`,
+  manual_state: (manual) => {
+    const holder = manual.holder ? `Held by ${manual.holder}, for ${manual.left_s} s more.` : "Nobody has taken the machine.";
+    return manual.reason ? `${holder} ${manual.reason}` : holder;
+  },
   tokens: "Tokens",
   token_name: "Name",
   token_role: "Role",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <mutex>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,13 @@ class FakeDesk final : public CellDesk {
   }
   DeskAnswer changeMode(int mode, const std::string& source) override {
     return take("mode " + std::to_string(mode) + " by " + source);
+  }
+  DeskAnswer moveByHand(const DeskManual& order) override {
+    std::ostringstream text;
+    text << "by hand " << static_cast<int>(order.kind) << " lease " << order.who.lease << " by "
+         << order.who.source << ' ' << order.step.frame << ' ' << order.step.axis << ' ' << order.step.step
+         << ' ' << order.step.speed;
+    return take(text.str());
   }
   DeskAnswer enqueue(const DeskProgram& program) override {
     const std::string bytes = readFile(program.path);

@@ -235,6 +235,41 @@ TEST(OperatorSite, RefusesBadBodiesAsAWhole) {
   EXPECT_TRUE(site.desk.orders().empty());
 }
 
+TEST(OperatorSite, MovesByHandWithoutARowOfTheAuditForEachStep) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  const auto post = [&](const char* body) {
+    return site.ask(HttpMethod::Post, "/api/v1/manual", page, body);
+  };
+  EXPECT_TRUE(site.get("/api/v1/state")["manual"].is_null());
+  site.desk.next.lease = 17;
+  EXPECT_EQ(nlohmann::json::parse(post(R"({"request":"take"})").body)["lease"], 17);
+  EXPECT_EQ(site.desk.orders().back(), "by hand 0 lease 0 by page: this host   0 0");
+  const std::string taken = "this host | POST /api/v1/manual: by hand: take | done 200";
+  EXPECT_EQ(site.lastAudit(), taken);
+  const char* step =
+      R"({"request":"step","lease":17,"frame":"nozzle","axis":"z","step":-0.001,"speed":0.005})";
+  EXPECT_EQ(post(step).status, 200);
+  EXPECT_EQ(site.desk.orders().back(), "by hand 1 lease 17 by page: this host nozzle z -0.001 0.005");
+  EXPECT_EQ(site.lastAudit(), taken);
+  const std::size_t given = site.desk.orders().size();
+  for (const char* body :
+       {R"({"request":"fly"})", R"({"request":"step","lease":17,"frame":"bed","axis":"x"})",
+        R"({"request":"take","lease":-1})"})
+    EXPECT_EQ(post(body).status, 400) << body;
+  EXPECT_EQ(site.desk.orders().size(), given);
+  site.desk.next = {DeskAnswer::Outcome::Refused, 7, "'page: ben' moves the machine by hand", 0};
+  EXPECT_EQ(post(step).status, 409);
+  EXPECT_NE(site.lastAudit().find("refused 409: 'page: ben'"), std::string::npos) << site.lastAudit();
+  site.desk.seen.manual =
+      ShownManual{"page: ben", 7.0, true, 0.5, "joint_1 is near its limit", {{"joint_1", false}}};
+  const nlohmann::json manual = site.get("/api/v1/state")["manual"];
+  EXPECT_EQ(manual["holder"], "page: ben");
+  EXPECT_EQ(manual["joints"][0]["name"], "joint_1");
+  const std::string anna = site.add(WebRole::Operator, "anna");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/manual", {{"x-api-key", anna}}, step).status, 403);
+}
+
 TEST(OperatorSite, RefusesAddressesThatAreNoPlainPaths) {
   SiteOfFakes site;
   for (const char* path : {"/page/../cell.db", "/page/%2e%2e", "/page/%2E%2e/x", "/page/a%00b", "/page/a%2fb",

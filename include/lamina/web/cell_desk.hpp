@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/base/settings_schema.hpp"
+#include "lamina/cell/manual_control.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/cell_journal.hpp"
 
@@ -94,6 +95,22 @@ struct ShownLoop {
   int alarm = 0;
 };
 
+/// A joint that can be moved by hand.
+struct ShownJoint {
+  std::string name;
+  bool is_linear = false;
+};
+
+/// Who moves the machine by hand in the mode Manual.
+struct ShownManual {
+  std::string holder;   ///< of the lease; empty if nobody has it
+  double left_s = 0.0;  ///< of the lease, unless it is used again
+  bool is_moving = false;
+  double scale = 1.0;              ///< share of the speed asked for that the limits let through
+  std::string reason;              ///< why that is less than 1, why nothing moves, or why the lease was lost
+  std::vector<ShownJoint> joints;  ///< none if no node that jogs is heard
+};
+
 /// Errors of a layer's height: measured minus expected.
 struct ShownLayer {
   std::uint32_t layer = 0;
@@ -122,6 +139,7 @@ struct CellSnapshot {
   ShownMachine machine;
   std::vector<ShownStep> startup;
   std::optional<ShownLoop> loop;
+  std::optional<ShownManual> manual;
   std::vector<ShownLayer> layers;
   std::uint64_t deviation_number = 0;  ///< `number` of the latest `deviation`
   bool has_camera = false;
@@ -157,7 +175,8 @@ struct DeskAnswer {
   Outcome outcome = Outcome::Done;
   int code = 0;  ///< a `CommandResult`, for commands, modes and alarms
   std::string message;
-  std::int64_t job = 0;  ///< number of the job that was added; 0 otherwise
+  std::int64_t job = 0;     ///< number of the job that was added; 0 otherwise
+  std::uint64_t lease = 0;  ///< number of the lease of the mode Manual; 0 if there is none
 };
 
 struct DeskCommand {
@@ -191,6 +210,14 @@ enum class QueueChange : std::uint8_t { Release = 0, Revoke = 1, MoveToFront = 2
 enum class StartupCommand : std::uint8_t { Run = 0, Confirm = 1, Abort = 2 };
 enum class ShownLoopRequest : std::uint8_t { Off = 0, Identify = 1, Active = 2 };
 
+/// An order to move the machine by hand.
+struct DeskManual {
+  enum class Kind : std::uint8_t { Take = 0, Step = 1, Release = 2 };
+  Kind kind = Kind::Take;
+  ManualCaller who;
+  ManualStep step = {};  ///< for Step
+};
+
 /// Interface through which the page sees the cell and gives it orders. It is called from several threads.
 /// Orders wait for their answer, each kind by itself: those that stop the unit do not wait behind others.
 class CellDesk {
@@ -204,6 +231,7 @@ class CellDesk {
 
   virtual DeskAnswer command(const DeskCommand& command) = 0;
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;
+  virtual DeskAnswer moveByHand(const DeskManual& order) = 0;
   virtual DeskAnswer enqueue(const DeskProgram& program) = 0;
   /// Waits until the mesh is sliced.
   virtual DeskAnswer enqueueMesh(const DeskMesh& mesh) = 0;

@@ -52,7 +52,8 @@ struct WebResponse {
   std::string body;
   std::string type = "application/json";
   std::vector<std::pair<std::string, std::string>> headers = {};
-  std::string note = {};  ///< description of the order for the audit; not sent
+  std::string note = {};   ///< description of the order for the audit; not sent
+  bool is_audited = true;  ///< whether the audit gets a row of an order that was carried out
 };
 
 /// The parts of a request's target.

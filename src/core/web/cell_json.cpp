@@ -57,6 +57,15 @@ json machineJson(const CellSnapshot& seen, double steady_s) {
           {"failure", machine.failure}};
 }
 
+json manualJson(const std::optional<ShownManual>& manual) {
+  if (!manual) return nullptr;
+  json joints = json::array();
+  for (const ShownJoint& joint : manual->joints)
+    joints.push_back({{"name", joint.name}, {"is_linear", joint.is_linear}});
+  return {{"holder", manual->holder}, {"left_s", manual->left_s}, {"is_moving", manual->is_moving},
+          {"scale", manual->scale},   {"reason", manual->reason}, {"joints", joints}};
+}
+
 }  // namespace
 
 bool isFresh(const CellSnapshot& seen, const CellTime& now) {
@@ -139,6 +148,7 @@ json stateJson(SiteParts& parts, WebRole role, const CellTime& now) {
                                    {"layer", seen.loop->layer},
                                    {"alarm", seen.loop->alarm}}
                             : json(nullptr);
+  value["manual"] = manualJson(seen.manual);
   value["layers"] = layersJson(seen);
   value["deviation_number"] = seen.deviation_number;
   value["has_camera"] = seen.has_camera;

@@ -208,6 +208,45 @@ WebResponse setMode(SiteCall& call) {
                "mode " + std::to_string(number));
 }
 
+double finiteNumber(const json& body, const char* key) {
+  const auto found = body.find(key);
+  if (found == body.end() || !found->is_number())
+    throw InvalidInput(std::string(key) + " is missing or no number; expected one [m, rad, m/s or rad/s]");
+  return found->get<double>();
+}
+
+DeskManual::Kind manualKind(const std::string& word) {
+  if (word == "take") return DeskManual::Kind::Take;
+  if (word == "step") return DeskManual::Kind::Step;
+  if (word == "release") return DeskManual::Kind::Release;
+  throw InvalidInput("request is '" + word + "'; expected take, step or release");
+}
+
+/// Steps that are carried out come several times a second: the audit has who took the machine, and for how
+/// long.
+WebResponse moveByHand(SiteCall& call) {
+  const json body = bodyObject(call);
+  const std::string word = textOf(body, "request");
+  DeskManual order;
+  order.kind = manualKind(word);
+  order.who.source = call.source();
+  const auto lease = body.find("lease");
+  if (lease != body.end() && !lease->is_null()) {
+    if (!lease->is_number_unsigned())
+      throw InvalidInput("lease is not a whole number from 0 on; expected that of the answer to take");
+    order.who.lease = lease->get<std::uint64_t>();
+  }
+  if (order.kind == DeskManual::Kind::Step)
+    order.step = {textOf(body, "frame"), textOf(body, "axis"), finiteNumber(body, "step"),
+                  finiteNumber(body, "speed")};
+  const DeskAnswer answer = call.parts.desk.moveByHand(order);
+  if (answer.outcome != DeskAnswer::Outcome::Done)
+    return noted(orderAnswer(call, answer), "by hand: " + word);
+  WebResponse response = noted(jsonAnswer(200, {{"lease", answer.lease}}), "by hand: " + word);
+  response.is_audited = order.kind != DeskManual::Kind::Step;
+  return response;
+}
+
 WebResponse acknowledgeAlarm(SiteCall& call) {
   const auto id = wholeNumber(call.value(0));
   if (id > 65535) throw InvalidInput("alarm " + call.value(0) + "; expected at most 65535");
@@ -286,6 +325,7 @@ std::vector<SiteRoute> cellRoutes() {
       {{kGet, "/api/v1/loop", WebRight::SeeAll, Body::None}, getLoop},
       {{kPost, "/api/v1/loop", WebRight::Maintain, Body::Small}, setLoop},
       {{kPost, "/api/v1/mode", WebRight::Maintain, Body::Small}, setMode},
+      {{kPost, "/api/v1/manual", WebRight::Maintain, Body::Small}, moveByHand},
       {{kGet, "/api/v1/layers", WebRight::SeeAll, Body::None}, getLayers},
       {{kGet, "/api/v1/deviation", WebRight::SeeAll, Body::None}, getDeviation},
       {{kGet, "/api/v1/preview/{layer}", WebRight::SeeAll, Body::None}, getPreview},

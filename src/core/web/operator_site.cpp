@@ -376,7 +376,8 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
     response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + key, admitted, request, now);
   // Whatever was asked for has been done by now: what stops the unit does not wait for the disk.
   const bool is_refused = response.status >= 400;
-  if (row.method != HttpMethod::Get || response.status == 401 || response.status == 403) {
+  const bool is_for_audit = row.method != HttpMethod::Get && (is_refused || response.is_audited);
+  if (is_for_audit || response.status == 401 || response.status == 403) {
     const std::string what = std::string(wordOf(row.method)) + ' ' + request.head.target.substr(0, 120) +
                              (response.note.empty() ? "" : ": " + response.note);
     std::string reason;

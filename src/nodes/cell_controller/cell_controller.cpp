@@ -109,6 +109,7 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                advertiseRemoval(node, [this](RemovalEvent& event) { return onRemoval(event); }),
                node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
   intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
+  manual_ = std::make_unique<ManualDesk>(node, journal_, [this] { return unitByHand(); });
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
   const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_loop = [this](const auto& state) {
     loop_ = state;
@@ -159,6 +160,15 @@ CellSurroundings CellController::surroundings() const {
   found.go_on.has_master = hasMaster();
   found.start.plc_need = found.go_on.plc_need = settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None;
   found.start.plc = found.go_on.plc = plc_.watch().interlocks(clock_.now());
+  return found;
+}
+
+ManualConditions CellController::unitByHand() const {
+  ManualConditions found;
+  found.mode = cell_->status().mode;
+  found.state = cell_->status().state;
+  const PlcInterlocks plc = plc_.watch().interlocks(clock_.now());
+  found.is_zone_taken = plc.is_alive && plc.is_zone_taken;
   return found;
 }
 
@@ -343,6 +353,7 @@ void CellController::followTime() {
   watchExecutor(at);
   followPlc(at);
   cell_->tick(at);
+  manual_->follow(at);
   if (intake_->addTo(journal_, at.utc_s)) is_queue_published_ = false;
   followQueue(at);
   followExecution();

@@ -23,6 +23,7 @@
 #include "lamina/journal/cell_journal.hpp"
 #include "lamina/journal/execution_log.hpp"
 #include "layer_log.hpp"
+#include "manual_desk.hpp"
 #include "node_diagnostics.hpp"
 #include "plc_desk.hpp"
 #include "stream_executor.hpp"
@@ -67,6 +68,7 @@ class CellController {
   void demandLocalStart(bool is_due);
 
   CellSurroundings surroundings() const;
+  ManualConditions unitByHand() const;
   std::string loopFault() const;
   bool hasMaster() const;
   void onReport(const ExecutorReport& report);
@@ -98,6 +100,7 @@ class CellController {
   QueueFollower queue_follower_;
   std::unique_ptr<ProductionCell> cell_;
   std::unique_ptr<JobIntake> intake_;
+  std::unique_ptr<ManualDesk> manual_;
   std::vector<ros::ServiceServer> services_;
   ros::Subscriber alarm_reports_;
   ros::Subscriber loop_subscriber_;

@@ -20,6 +20,7 @@ namespace lamina {
 namespace {
 
 constexpr double kProgramPatience = 1800.0;  // [s]: a program of 1 GiB is read, and may wait for others
+constexpr double kStepPatience = 0.5;        // [s]: a step that comes later is not wanted any more
 constexpr std::size_t kMostLayers = 500;
 constexpr std::uint32_t kMostCells = 160;  // columns and rows of the picture of deviations
 
@@ -117,6 +118,19 @@ DeskAnswer answerOf(const lamina_msgs::Status& status) {
   return answer;
 }
 
+DeskAnswer unitAnswer(int result, const std::string& message) {
+  DeskAnswer answer;
+  answer.code = result;
+  answer.message = message;
+  if (result == static_cast<int>(CommandResult::BadValue))
+    answer.outcome = DeskAnswer::Outcome::BadInput;
+  else if (result == static_cast<int>(CommandResult::NoSuchJob))
+    answer.outcome = DeskAnswer::Outcome::Unknown;
+  else if (result != static_cast<int>(CommandResult::Accepted))
+    answer.outcome = DeskAnswer::Outcome::Refused;
+  return answer;
+}
+
 OrderEffect effectOf(UnitCommand command) {
   const bool is_stop = command == UnitCommand::Hold || command == UnitCommand::Suspend ||
                        command == UnitCommand::Stop || command == UnitCommand::Abort;
@@ -135,6 +149,7 @@ RosDesk::RosDesk(ros::NodeHandle node, double patience_s)
                     node.subscribe(names::kMachineState, 10, &RosDesk::onMachine, this),
                     node.subscribe(names::kHeaterState, 10, &RosDesk::onHeaters, this),
                     node.subscribe(names::kLoopState, 10, &RosDesk::onLoop, this),
+                    node.subscribe(names::kManualState, 10, &RosDesk::onManual, this),
                     node.subscribe(names::kLayerHeight, 100, &RosDesk::onLayer, this),
                     node.subscribe(names::kHeightDeviation, 1, &RosDesk::onDeviation, this)}) {}
 
@@ -209,6 +224,17 @@ void RosDesk::onLoop(const lamina_msgs::LoopStateConstPtr& loop) {
   seen_.loop = ShownLoop{loop->state_name, loop->reason, loop->layer, loop->alarm};
 }
 
+void RosDesk::onManual(const lamina_msgs::ManualStateConstPtr& manual) {
+  ShownManual shown_manual{manual->holder, manual->remaining, manual->moving != 0,
+                           manual->scale,  manual->reason,    {}};
+  const std::size_t joints = std::min(manual->joints.size(), manual->is_linear.size());
+  shown_manual.joints.reserve(joints);
+  for (std::size_t i = 0; i < joints; ++i)
+    shown_manual.joints.push_back({manual->joints[i], manual->is_linear[i] != 0});
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seen_.manual = std::move(shown_manual);
+}
+
 void RosDesk::onLayer(const lamina_msgs::LayerHeightConstPtr& layer) {
   if (layer->sight == lamina_msgs::LayerHeight::NOT_SEEN) return;
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -241,16 +267,7 @@ template <class Service>
 DeskAnswer RosDesk::callUnit(const Label& label, const char* name, const Service& call) {
   const auto ask = [node = node_, name, call = call]() mutable {
     if (!callService(node.resolveName(name), call)) return silent(name);
-    DeskAnswer answer;
-    answer.code = call.response.result;
-    answer.message = call.response.message;
-    if (answer.code == static_cast<int>(CommandResult::BadValue))
-      answer.outcome = DeskAnswer::Outcome::BadInput;
-    else if (answer.code == static_cast<int>(CommandResult::NoSuchJob))
-      answer.outcome = DeskAnswer::Outcome::Unknown;
-    else if (answer.code != static_cast<int>(CommandResult::Accepted))
-      answer.outcome = DeskAnswer::Outcome::Refused;
-    return answer;
+    return unitAnswer(call.response.result, call.response.message);
   };
   return give({label.kind, label.effect, "cell_controller", patience_s_, ask});
 }
@@ -280,6 +297,34 @@ DeskAnswer RosDesk::changeMode(int mode, const std::string& source) {
   call.request.mode = static_cast<std::uint8_t>(mode);
   call.request.source = source;
   return callUnit({"a mode"}, names::kSetUnitMode, call);
+}
+
+/// Of steps that several ask for at once only one waits: a step that comes late is none that is held.
+DeskAnswer RosDesk::moveByHand(const DeskManual& order) {
+  lamina_msgs::MoveByHand call;
+  call.request.request = static_cast<std::uint8_t>(order.kind);
+  call.request.source = order.who.source;
+  call.request.lease = order.who.lease;
+  call.request.frame = order.step.frame;
+  call.request.axis = order.step.axis;
+  call.request.step = order.step.step;
+  call.request.speed = order.step.speed;
+  const auto ask = [node = node_, call]() mutable {
+    if (!callService(node.resolveName(names::kMoveByHand), call)) return silent(names::kMoveByHand);
+    DeskAnswer answer = unitAnswer(call.response.result, call.response.message);
+    answer.lease = call.response.lease;
+    return answer;
+  };
+  switch (order.kind) {
+    case DeskManual::Kind::Take:
+      return give({"a lease", OrderEffect::Other, "cell_controller", patience_s_, ask});
+    case DeskManual::Kind::Step:
+      return give({"a step by hand", OrderEffect::Moves, "cell_controller", kStepPatience, ask});
+    case DeskManual::Kind::Release:
+      break;
+  }
+  const std::string kind = "release of lease " + std::to_string(order.who.lease);
+  return give({kind, OrderEffect::Stops, "cell_controller", patience_s_, ask});
 }
 
 DeskAnswer RosDesk::enqueue(const DeskProgram& program) {

@@ -32,6 +32,7 @@ class RosDesk final : public CellDesk {
 
   DeskAnswer command(const DeskCommand& command) override;
   DeskAnswer changeMode(int mode, const std::string& source) override;
+  DeskAnswer moveByHand(const DeskManual& order) override;
   DeskAnswer enqueue(const DeskProgram& program) override;
   DeskAnswer enqueueMesh(const DeskMesh& mesh) override;
   DeskAnswer changeQueue(QueueChange change, std::int64_t job, const std::string& source) override;
@@ -49,6 +50,7 @@ class RosDesk final : public CellDesk {
   void onMachine(const lamina_msgs::MachineStateConstPtr& machine);
   void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
   void onLoop(const lamina_msgs::LoopStateConstPtr& loop);
+  void onManual(const lamina_msgs::ManualStateConstPtr& manual);
   void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
   void onDeviation(const sensor_msgs::ImageConstPtr& image);
 

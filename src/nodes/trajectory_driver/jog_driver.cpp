@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "conversions.hpp"
@@ -39,6 +40,13 @@ JogDriver::JogDriver(ros::NodeHandle& node, const DriverSettings& settings, cons
       links_(std::move(links)),
       publisher_(node.advertise<lamina_msgs::JogState>(names::kJogState, 10, true)),
       lease_(settings.jog.lease_s) {
+  state_.joints.reserve(model_.joints().size());
+  state_.is_linear.reserve(model_.joints().size());
+  for (const DrivenJoint& joint : model_.joints()) {
+    state_.joints.push_back(joint.name);
+    state_.is_linear.push_back(static_cast<std::uint8_t>(joint.kind == JointKind::Linear));
+  }
+  tell(ros::Time::now());  // who moves the machine by hand sees what there is to move
   const boost::function<void(const Event<geometry_msgs::TwistStamped>&)> on_twist =
       [this](const auto& event) { onTwist(event); };
   const boost::function<void(const Event<sensor_msgs::JointState>&)> on_joints = [this](const auto& event) {
