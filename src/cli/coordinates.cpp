@@ -46,7 +46,7 @@ double filamentOf(const std::vector<CoordinateRow>& rows) {
 
 CoordinatesReport reportOn(const std::string& input, const JobSettings& settings) {
   CoordinatesReport report;
-  if (isProgramFile(input)) report.notes = notesOf(readFile(input));
+  if (isProgramFile(input)) report.notes = notesOf(readTextFile(input));
   const double set_mm = settings.program.filament_diameter_mm;
   report.filament_diameter_mm = report.notes.filament_diameter_mm.value_or(set_mm);
   const Toolpath toolpath = readToolpath(input, settings).toolpath;

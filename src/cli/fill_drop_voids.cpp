@@ -133,7 +133,7 @@ std::vector<SettingText> overridesOf(const DropFillArguments& arguments) {
 
 void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format) {
   const DropDialect& dialect = settings.program.drops;
-  const DropProgram program = parseDropProgram(readFile(files.program), dialect);
+  const DropProgram program = parseDropProgram(readTextFile(files.program), dialect);
   FilledDropProgram filled;
   std::vector<DropSweepStep> steps;
   {

@@ -75,9 +75,9 @@ void printJson(const TrackingFigures& report) {
 void track(const TrackArguments& arguments, OutputFormat format) {
   const TrackSettings settings = settingsFrom(arguments.settings);
   const std::string urdf =
-      arguments.urdf.empty() ? kinematicModelByName("rus_platform")->urdf() : readFile(arguments.urdf);
+      arguments.urdf.empty() ? kinematicModelByName("rus_platform")->urdf() : readTextFile(arguments.urdf);
   const RusDescription platform = rusDescriptionFromUrdf(urdf);
-  const Toolpath toolpath = readCsv(readFile(arguments.toolpath), arguments.toolpath);
+  const Toolpath toolpath = readCsv(readTextFile(arguments.toolpath), arguments.toolpath);
   const ToolpathReference reference(toolpath, placement(toolpath, arguments.middle), settings.motion,
                                     platform);
   TrackingFigures report;

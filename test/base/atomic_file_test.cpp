@@ -141,6 +141,48 @@ TEST(AtomicFile, CannotReplaceAFolder) {
   EXPECT_EQ(folder.fileCount(), 1U);
 }
 
+/// Root may rename a file over /dev/null, which every other process then writes into.
+TEST(AtomicFile, TakesThePlaceOfNoDevicePipeOrFolder) {
+  const test::ScratchFolder folder;
+  const auto refusal = [](const std::string& path) -> std::string {
+    try {
+      const AtomicFile file(path);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", folder.file("link"));
+  std::filesystem::create_directory(folder.file("folder"));
+  EXPECT_EQ(refusal("/dev/null"), "cannot write '/dev/null': it is a device; expected the name of a file");
+  for (const char* name : {"pipe", "link"})
+    EXPECT_EQ(refusal(folder.file(name)),
+              "cannot write '" + folder.file("pipe") + "': it is a pipe; expected the name of a file");
+  EXPECT_EQ(refusal(folder.file("folder")),
+            "cannot write '" + folder.file("folder") + "': it is a folder; expected the name of a file");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_TRUE(std::filesystem::is_fifo(folder.file("pipe")));
+  EXPECT_EQ(folder.fileCount(), 3U);
+}
+
+TEST(ReadTextFile, LeavesOutTheMarkOfUtf8AndRefusesUtf16) {
+  const test::ScratchFolder folder;
+  writeFile(folder.file("marked"), "\xEF\xBB\xBFG28\r\n");
+  writeFile(folder.file("plain"), "G28\n");
+  writeFile(folder.file("wide"), std::string("\xFF\xFEG\0", 4));
+  EXPECT_EQ(readTextFile(folder.file("marked")), "G28\r\n");
+  EXPECT_EQ(readFile(folder.file("marked")).size(), 8U);
+  EXPECT_EQ(readTextFile(folder.file("plain")), "G28\n");
+  try {
+    readTextFile(folder.file("wide"));
+    ADD_FAILURE() << "UTF-16 was taken";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot read '" + folder.file("wide") +
+                                             "': it is text in UTF-16; expected UTF-8, as editors save it");
+  }
+}
+
 TEST(ReadFile, RefusesAFolderAndAMissingFile) {
   const test::ScratchFolder folder;
   EXPECT_THROW(readFile(folder.file("missing")), FileError);

@@ -14,6 +14,12 @@ TEST(Text, LosesWhiteSpaceAtItsEndsOnly) {
   EXPECT_EQ(trimmed(""), "");
 }
 
+TEST(Text, LosesTheMarkOfUtf8AtItsStartOnly) {
+  EXPECT_EQ(withoutUtf8Mark("\xEF\xBB\xBFG28\xEF\xBB\xBF"), "G28\xEF\xBB\xBF");
+  EXPECT_EQ(withoutUtf8Mark("\xEF\xBB"), "\xEF\xBB");
+  EXPECT_EQ(withoutUtf8Mark(""), "");
+}
+
 TEST(Text, IsWrittenInSmallLetters) {
   EXPECT_EQ(lowerCase("RepRapFirmware 3.4 \xC4z@[`{"), "reprapfirmware 3.4 \xC4z@[`{");
   EXPECT_EQ(lowerCase(""), "");

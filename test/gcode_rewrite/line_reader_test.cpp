@@ -25,6 +25,16 @@ TEST(LineReader, ReadsLinesAcrossItsBufferWhole) {
   EXPECT_EQ(reader.bytesRead(), text.size() + 3);
 }
 
+TEST(LineReader, LeavesOutTheMarkOfUtf8AndCountsIt) {
+  const test::ScratchFolder folder;
+  writeFile(folder.file("marked.gcode"), "\xEF\xBB\xBFG28\nM84\n");
+  LineReader reader(folder.file("marked.gcode"));
+  EXPECT_EQ(reader.next(), "G28");
+  EXPECT_EQ(reader.next(), "M84");
+  EXPECT_EQ(reader.next(), std::nullopt);
+  EXPECT_EQ(reader.bytesRead(), 11U);
+}
+
 TEST(LineReader, RefusesALineThatIsNoLine) {
   const test::ScratchFolder folder;
   writeFile(folder.file("one.gcode"), "M83\n;" + std::string(kMebibyte, 'x'));

@@ -16,7 +16,9 @@ namespace lamina {
 /// have made it lead to one of our files.
 class AtomicFile {
  public:
-  /// @throws FileError if the folder cannot be written to
+  /// @throws FileError if the folder cannot be written to, or if the name is that of a folder, a device, a
+  /// pipe
+  ///   or a socket, which a file would take the place of
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -51,6 +53,10 @@ void synchronise(const std::string& path);
 /// Writes a file as `writeFile` does, such that it survives a loss of power once this has returned.
 /// @throws FileError if it cannot be written, or be forced to the disk
 void writeDurably(const std::string& path, std::string_view bytes);
+
+/// The text of a file, without the mark of UTF-8 at its start.
+/// @throws as `readFile`; FileError as `utf8Text`
+std::string readTextFile(const std::string& path);
 
 /// The whole file as bytes.
 /// @throws FileError, Cancelled as `InputFile::readRest`

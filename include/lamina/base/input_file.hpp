@@ -19,6 +19,9 @@ inline constexpr std::size_t kMostSettingsBytes = std::size_t{64} << 20;
 /// @param size  of the file [bytes]; 0 if it has none
 std::size_t mostBytesInMemory(double available_bytes, std::size_t size);
 
+/// What is no regular file, with its article, by the mode that the system states: "a folder", "a pipe".
+const char* kindOfFile(unsigned mode);
+
 /// A file open for reading from its start, for files that are too large to be held as a whole.
 ///
 /// Only regular files are opened, so that reading neither waits for a pipe nor reads a device without end;

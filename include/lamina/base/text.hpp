@@ -12,6 +12,14 @@ namespace lamina {
 /// The text without white space at its ends; the same in every locale.
 std::string_view trimmed(std::string_view text);
 
+/// The text without the mark of UTF-8 (EF BB BF) that editors on Windows put at the start of a file.
+std::string_view withoutUtf8Mark(std::string_view text);
+
+/// The bytes of a file as text in UTF-8 or ASCII, without the mark of UTF-8.
+/// @param source  names the file in errors
+/// @throws FileError if they begin with the mark of UTF-16
+std::string_view utf8Text(std::string_view bytes, const std::string& source);
+
 /// The text with its ASCII letters small; the same in every locale.
 std::string lowerCase(std::string_view text);
 

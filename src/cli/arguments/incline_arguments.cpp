@@ -95,8 +95,9 @@ InclineJob jobFrom(const InclineArguments& arguments) {
   if (arguments.program.empty()) throw InvalidInput("no program is given; expected a .gcode file");
   std::vector<SettingText> overrides = arguments.options;
   if (!arguments.begin_code.empty())
-    overrides.push_back({"incline.begin_code", readFile(arguments.begin_code)});
-  if (!arguments.end_code.empty()) overrides.push_back({"incline.end_code", readFile(arguments.end_code)});
+    overrides.push_back({"incline.begin_code", readTextFile(arguments.begin_code)});
+  if (!arguments.end_code.empty())
+    overrides.push_back({"incline.end_code", readTextFile(arguments.end_code)});
   for (SettingText& setting : overridesFrom(arguments.settings.assignments))
     overrides.push_back(std::move(setting));
   return inclineJob(loadInclineSettings(arguments.settings.config, overrides), arguments.program,

@@ -52,7 +52,7 @@ void printPose(const SensorArguments& arguments, const FoundPose& found, OutputF
 
 void calibrateByPairs(const SensorArguments& arguments, Calibration cell, OutputFormat format) {
   const std::string& path = arguments.common.recording;
-  const HandEyeFit fit = fitHandEye(sightsFromCsv(readFile(path), path));
+  const HandEyeFit fit = fitHandEye(sightsFromCsv(readTextFile(path), path));
   FoundPose found;
   found.pose.nozzle_from_sensor = fit.nozzle_from_sensor;
   found.pose.spread = {fit.rms_mm, fit.rms_mm, fit.rms_mm, fit.rms_deg, fit.rms_deg, fit.rms_deg};

@@ -89,7 +89,7 @@ nlohmann::ordered_json reportToJson(const TouchReport& report) {
 
 void calibrateTip(const TouchArguments& arguments, OutputFormat format) {
   const auto found =
-      foundBy(flangePosesFromCsv(readFile(arguments.table), arguments.table), arguments, fitToolCentre);
+      foundBy(flangePosesFromCsv(readTextFile(arguments.table), arguments.table), arguments, fitToolCentre);
   const ToolCentreFit& fit = found.fit;
   const Point3& tip = fit.flange_from_tip;
   if (format == OutputFormat::Json) {
@@ -143,7 +143,8 @@ void calibrateAxes(const std::vector<TouchedPoint>& points, const TouchArguments
 }
 
 void calibrateObject(const TouchArguments& arguments, OutputFormat format) {
-  const std::vector<TouchedPoint> points = touchedPointsFromCsv(readFile(arguments.table), arguments.table);
+  const std::vector<TouchedPoint> points =
+      touchedPointsFromCsv(readTextFile(arguments.table), arguments.table);
   if (points.empty() || !points.front().object) return calibrateAxes(points, arguments, format);
   const auto found = foundBy(points, arguments, fitWorkObject);
   printObject(found.fit.base_from_object, format, reportToJson(found.report));
@@ -157,7 +158,7 @@ Point3 anglesOfAxis(const Point3& direction) {
 }
 
 void calibratePositioner(const TouchArguments& arguments, OutputFormat format) {
-  const auto found = foundBy(axisTouchesFromCsv(readFile(arguments.table), "angle_deg", arguments.table),
+  const auto found = foundBy(axisTouchesFromCsv(readTextFile(arguments.table), "angle_deg", arguments.table),
                              arguments, fitTurningAxis);
   const TurningAxisFit& fit = found.fit;
   const Point3 rpy_deg = anglesOfAxis(fit.direction);
@@ -185,8 +186,8 @@ void calibratePositioner(const TouchArguments& arguments, OutputFormat format) {
 }
 
 void calibrateRail(const TouchArguments& arguments, OutputFormat format) {
-  const auto found =
-      foundBy(axisTouchesFromCsv(readFile(arguments.table), "rail_mm", arguments.table), arguments, fitRail);
+  const auto found = foundBy(axisTouchesFromCsv(readTextFile(arguments.table), "rail_mm", arguments.table),
+                             arguments, fitRail);
   const RailFit& fit = found.fit;
   if (format == OutputFormat::Json) {
     nlohmann::ordered_json json = {{"axis", pointToJson(fit.direction)},

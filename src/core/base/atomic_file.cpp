@@ -18,6 +18,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -32,6 +33,15 @@ namespace {
   throw FileError(
       "cannot " + what + " '" + path + "': " +
       (is_folder_missing ? "there is no folder '" + folder.string() + "'" : std::strerror(error_number)));
+}
+
+/// A rename would put the file in the place of /dev/null, where the user may do so.
+void requirePlaceForFile(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISLNK(status.st_mode)) return;
+  if (S_ISDIR(status.st_mode)) fail("write", path, EISDIR);
+  throw FileError("cannot write '" + path + "': it is " + kindOfFile(status.st_mode) +
+                  "; expected the name of a file");
 }
 
 /// A name beside the path that others cannot guess.
@@ -61,6 +71,7 @@ std::string behindOwnLinks(std::string path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(behindOwnLinks(std::move(path))) {
+  requirePlaceForFile(path_);
   // In a folder that others may write to, such as /tmp, somebody may have placed a link to a file of ours: a
   // new file is made, or none.
   temporary_path_ = nameBeside(path_);
@@ -110,6 +121,12 @@ void writeDurably(const std::string& path, std::string_view bytes) {
   synchronise(path);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   synchronise(folder.empty() ? "." : folder);
+}
+
+std::string readTextFile(const std::string& path) {
+  std::string bytes = readFile(path);
+  bytes.erase(0, bytes.size() - utf8Text(bytes, path).size());
+  return bytes;
 }
 
 std::string readFile(const std::string& path) { return InputFile(path).readRest(); }

@@ -120,7 +120,7 @@ CsvTable parseCsvTable(std::string_view text, const std::string& source) {
   return table;
 }
 
-CsvTable readCsvTable(const std::string& path) { return parseCsvTable(readFile(path), path); }
+CsvTable readCsvTable(const std::string& path) { return parseCsvTable(readTextFile(path), path); }
 
 std::size_t columnOf(const CsvTable& table, const std::string& name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);

@@ -33,13 +33,6 @@ bool isDescriptor(const std::string& path) {
   return path == "/dev/stdin" || begins("/dev/fd/") || begins("/proc/self/fd/");
 }
 
-const char* kindOf(mode_t mode) {
-  if (S_ISDIR(mode)) return "a folder";
-  if (S_ISFIFO(mode)) return "a pipe";
-  if (S_ISSOCK(mode)) return "a socket";
-  return "a device";
-}
-
 std::string megabytes(double bytes) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f MB", bytes / 1e6);
@@ -47,6 +40,13 @@ std::string megabytes(double bytes) {
 }
 
 }  // namespace
+
+const char* kindOfFile(unsigned mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
 
 InputFile::InputFile(std::string path) : path_(std::move(path)) {
   // Without waiting for whoever might write to a pipe.
@@ -60,7 +60,7 @@ InputFile::InputFile(std::string path) : path_(std::move(path)) {
   if (!is_taken) ::close(descriptor_);
   if (!is_known) fail(path_, error_number);
   if (!is_taken)
-    throw FileError("cannot read '" + path_ + "': it is " + kindOf(status.st_mode) +
+    throw FileError("cannot read '" + path_ + "': it is " + kindOfFile(status.st_mode) +
                     "; expected a regular file, or /dev/stdin");
   size_ = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
 }

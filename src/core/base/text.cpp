@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "lamina/base/characters.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -18,6 +19,19 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kSpace);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::string_view withoutUtf8Mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.substr(0, kMark.size()) == kMark) text.remove_prefix(kMark.size());
+  return text;
+}
+
+std::string_view utf8Text(std::string_view bytes, const std::string& source) {
+  const std::string_view start = bytes.substr(0, 2);
+  if (start == "\xFF\xFE" || start == "\xFE\xFF")
+    throw FileError("cannot read '" + source + "': it is text in UTF-16; expected UTF-8, as editors save it");
+  return withoutUtf8Mark(bytes);
 }
 
 std::string lowerCase(std::string_view text) {

@@ -139,7 +139,7 @@ SensorRecording readRecording(const std::string& folder) {
                     "' is no folder; expected one with poses.csv and profiles.csv, or a bag (.bag)");
   const std::string poses = folder + kPosesFile;
   const std::string profiles = folder + kProfilesFile;
-  return {posesFromCsv(readFile(poses), poses), profilesFromCsv(readFile(profiles), profiles)};
+  return {posesFromCsv(readTextFile(poses), poses), profilesFromCsv(readTextFile(profiles), profiles)};
 }
 
 void writeRecording(const std::string& folder, const SensorRecording& recording) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -13,14 +14,16 @@ constexpr std::size_t kBuffer = std::size_t{1} << 20U;
 
 }  // namespace
 
-LineReader::LineReader(const std::string& path) : file_(path), buffer_(kBuffer) {}
+LineReader::LineReader(const std::string& path) : path_(path), file_(path), buffer_(kBuffer) {}
 
 bool LineReader::fill() {
   std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
   end_ -= begin_;
   begin_ = 0;
+  const bool is_start = bytes_read_ == 0;
   const std::size_t got = file_.read(buffer_.data() + end_, kBuffer - end_);
   end_ += got;
+  if (is_start) begin_ = end_ - utf8Text({buffer_.data(), end_}, path_).size();
   bytes_read_ += got;
   return got > 0;
 }

@@ -29,6 +29,7 @@ class LineReader {
  private:
   bool fill();
 
+  std::string path_;
   InputFile file_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;

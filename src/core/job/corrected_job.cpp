@@ -31,7 +31,7 @@ PlannedCorrection correctionFrom(const CorrectionFiles& files, const LoopSetting
                                  const std::string& program_sha256) {
   const std::string toolpath = files.toolpath.empty() ? toolpathBeside(files.maps) : files.toolpath;
   std::vector<FiledMap> maps = readCorrectionFiles(files.maps);
-  PlannedCorrection correction{readProgrammedToolpath(readFile(toolpath), toolpath), std::move(maps),
+  PlannedCorrection correction{readProgrammedToolpath(readTextFile(toolpath), toolpath), std::move(maps),
                                feeding};
   const std::optional<RecordedJob> recorded = recordedJob(files.maps);
   correction.is_recorded_program = recorded && recorded->program_sha256 == program_sha256;

@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
@@ -25,7 +26,7 @@ std::string headOf(const std::string& path) {
   constexpr std::size_t kMostHead = 1 << 16;
   std::string bytes(kMostHead, '\0');
   bytes.resize(InputFile(path).read(bytes.data(), bytes.size()));
-  std::istringstream lines(bytes);
+  std::istringstream lines(std::string(utf8Text(bytes, path)));
   std::string head;
   // Of a Fanuc control's program also the mark, number or name, and comments in brackets.
   const auto isOfHead = [](const std::string& line) {
@@ -39,7 +40,7 @@ std::string headOf(const std::string& path) {
 template <typename Read>
 auto readFiveAxisFile(const std::string& path, const Read& read) {
   try {
-    return read(readFile(path), std::filesystem::path(path).filename().string());
+    return read(readTextFile(path), std::filesystem::path(path).filename().string());
   } catch (const InvalidConfig& error) {
     throw InvalidProgram("'" + path + "' is five-axis G-code: " + error.what() +
                          "; expected machine.name to be the machine that it was written for");
@@ -80,7 +81,8 @@ bool isToolpathFile(const std::string& path) { return std::filesystem::path(path
 
 Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settings,
                           const MachineSettings& machine) {
-  if (isToolpathFile(path)) return readCsv(readFile(path), std::filesystem::path(path).filename().string());
+  if (isToolpathFile(path))
+    return readCsv(readTextFile(path), std::filesystem::path(path).filename().string());
   if (isProgramFile(path)) return readProgram(path, settings, machine);
   throw InvalidInput("'" + path +
                      "' is neither a program nor a toolpath; expected .gcode, .csv or a robot's program "

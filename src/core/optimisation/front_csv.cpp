@@ -68,7 +68,7 @@ std::string frontCsv(const DesignSpace& space, const std::vector<std::string>& r
 }
 
 FrontTable readFrontCsv(const std::string& path) {
-  const std::string text = readFile(path);
+  const std::string text = readTextFile(path);
   const CsvTable table = parseCsvTable(text, path);
   const std::size_t variables = variablesIn(text, table);
   if (table.rows.empty()) throw InvalidInput("'" + path + "' holds no point");

@@ -27,6 +27,14 @@ TEST(ObjReader, FansPolygons) {
   EXPECT_NEAR(volume(mesh), 4.0 / 3.0, 1e-15);
 }
 
+/// The first vertex was passed over, and every face then named the one after its own.
+TEST(ObjReader, LeavesOutTheMarkOfUtf8) {
+  const Mesh mesh = readMeshFromBytes(
+      "\xEF\xBB\xBF" + kVertices + "v 9 9 9\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n", "a.obj");
+  EXPECT_EQ(mesh.vertices.size(), 5u);
+  EXPECT_NEAR(volume(mesh), 4.0 / 3.0, 1e-15);
+}
+
 TEST(ObjReader, TakesTextureAndNormalIndicesAndIgnoresThem) {
   const Mesh mesh = readMeshFromBytes(kVertices +
                                           "vt 0 0\nvn 0 0 1\nf 4/1/1 3/1/1 2/1/1 1/1/1\nf 1//1 2//1 5//1\nf "

@@ -42,6 +42,12 @@ TEST(GcodeReader, KeepsWordsThatAreNotRepeated) {
   EXPECT_EQ(list[2].line, 3U);
 }
 
+TEST(GcodeReader, LeavesOutTheMarkOfUtf8BeforeItsFirstLine) {
+  EXPECT_EQ(endOf("\xEF\xBB\xBFG1 X10\nX15\n"), Point3(15, 0, 0));
+  EXPECT_EQ(endOf("\xEF\xBB\xBF; from Windows\nG1 X10\n"), Point3(10, 0, 0));
+  EXPECT_NE(gcodeReaderRefusal("G1 X10\n\xEF\xBB\xBFG1 X15\n").find("line 2"), std::string::npos);
+}
+
 TEST(GcodeReader, AddsRelativePositions) { EXPECT_EQ(endOf("G91\nG1 X10\nG1 X10 Y5\n"), Point3(20, 5, 0)); }
 
 TEST(GcodeReader, ReadsInches) {

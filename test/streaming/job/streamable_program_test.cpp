@@ -51,6 +51,15 @@ TEST(StreamableProgram, LeavesOutCommentsAndEmptyLines) {
   EXPECT_EQ(lines[3].command, "G4 P1");
 }
 
+TEST(StreamableProgram, SendsNoMarkOfUtf8) {
+  const auto program = StreamableProgram::fromText("test", "\xEF\xBB\xBFG28\nG1 X1\n", toMarlin());
+  ProgramCursor cursor = program.open();
+  EXPECT_EQ(cursor.next()->command, "G28");
+  EXPECT_EQ(cursor.bytesRead(), 7U);
+  const auto begun = StreamableProgram::fromText("test", "\xEF\xBB\xBF; from Windows\nG28\n", toMarlin());
+  EXPECT_EQ(begun.open().next()->command, "G28");
+}
+
 TEST(StreamableProgram, KeepsParenthesesOfExpressionsAndQuotes) {
   const auto lines = linesOf(
       "G1 X{(1 + 2) / 3} (aside) F{600}\nM291 P\"a (b)\" S2 (c)\nG1 X1 (a { b) Y2\nG1 (5\" nozzle) X3\n");

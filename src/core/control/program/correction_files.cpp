@@ -147,7 +147,7 @@ std::vector<FiledMap> readCorrectionFiles(const std::string& path) {
   const bool is_folder = std::filesystem::is_directory(path);
   std::vector<FiledMap> maps;
   for (const std::string& file : is_folder ? mapFilesIn(path) : std::vector<std::string>{path})
-    maps.push_back({file, readCorrectionMap(readFile(file), file)});
+    maps.push_back({file, readCorrectionMap(readTextFile(file), file)});
   const std::string record = path + "/" + kAppliedMapsFile;
   if (is_folder && std::filesystem::exists(record)) {
     keepApplied(maps, record);
@@ -174,7 +174,7 @@ std::string appliedRecordCsv(const RecordedJob& of, const std::vector<AppliedRow
 std::optional<RecordedJob> recordedJob(const std::string& folder) {
   const std::string record = folder + "/" + kAppliedMapsFile;
   if (!std::filesystem::exists(record)) return std::nullopt;
-  const std::string text = readFile(record);
+  const std::string text = readTextFile(record);
   return RecordedJob{statedBehind(kProgramLine, text), statedBehind(kToolpathLine, text),
                      statedBehind(kJobLine, text)};
 }

@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "mesh_formats.hpp"
@@ -42,10 +43,11 @@ std::string lowerSuffix(const std::string& name) {
 
 Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY, 3MF or STEP)");
-  if (isPly(bytes)) return readPly(bytes, name);
-  if (isExactBinaryStl(bytes, bytes.size())) return readBinaryStl(bytes, name);
-  if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
-  if (isObj(bytes)) return readObj(bytes, name);
+  if (!isPly(bytes) && isExactBinaryStl(bytes, bytes.size())) return readBinaryStl(bytes, name);
+  const std::string_view text = withoutUtf8Mark(bytes);
+  if (isPly(text)) return readPly(text, name);
+  if (isAsciiStl(text)) return readAsciiStl(text, name);
+  if (isObj(text)) return readObj(text, name);
   if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
   throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY, 3MF nor STEP");
 }

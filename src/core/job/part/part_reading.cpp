@@ -24,7 +24,7 @@ Mesh extrudedOutline(const std::string& part, const InputSettings& settings) {
   if (settings.extrude_mm == 0.0)
     throw InvalidConfig("input.extrude_mm is 0 with the outline '" + part +
                         "'; expected the height of the part");
-  Mesh mesh = extruded(readSvg(readFile(part), part), settings.extrude_mm);
+  Mesh mesh = extruded(readSvg(readTextFile(part), part), settings.extrude_mm);
   for (Point3& vertex : mesh.vertices) vertex.head<2>() *= settings.units.scale;
   return mesh;
 }

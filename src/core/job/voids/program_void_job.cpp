@@ -34,7 +34,7 @@ DropVoidReport fillDrops(std::string text, const ProgramVoidJob& job, Progress& 
 ProgramVoidReport runProgramVoidJob(const ProgramVoidJob& job, Progress& progress) {
   requireSuffix(job.output, {".gcode"});
   requireApart({job.output}, {job.program, job.part});
-  std::string text = readFile(job.program);
+  std::string text = readTextFile(job.program);
   if (isDropProgram(text, job.settings.program.drops)) return fillDrops(std::move(text), job, progress);
   return fillBeads(job, progress);
 }

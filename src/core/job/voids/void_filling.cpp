@@ -188,7 +188,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   requireSuffix(job.output, {".gcode"});
   requireApart({job.output}, {job.program, job.map.part});
   const JobSettings& settings = job.map.settings;
-  const std::string text = readFile(job.program);
+  const std::string text = readTextFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
   const BuildSpace space = buildSpaceOf(settings.machine);
   VoidReport found = runVoidJob(program, job.map, progress);

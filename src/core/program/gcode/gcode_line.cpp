@@ -40,7 +40,7 @@ bool isNamedCommand(std::string_view text) {
 
 const GcodeLine& GcodeLineParser::parse(std::string_view text, std::size_t number) {
   line_.number = number;
-  take(text);
+  take(number == 1 ? withoutUtf8Mark(text) : text);
   if (!quotation_.isRecognised() && isPlainCommand(text)) quotation_.recognise();
   return line_;
 }

@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/text.hpp"
 #include "program/gcode/gcode_interpreter.hpp"
 
 namespace lamina {
@@ -53,7 +54,8 @@ void readGcodeFile(const std::string& path, const GcodeReaderSettings& settings,
   InputFile file(path);
   GcodeReader reader(settings, handlers);
   std::vector<char> buffer(1U << 18);
-  while (const std::size_t size = file.read(buffer.data(), buffer.size())) reader.read({buffer.data(), size});
+  const auto next = [&] { return std::string_view(buffer.data(), file.read(buffer.data(), buffer.size())); };
+  for (std::string_view piece = utf8Text(next(), path); !piece.empty(); piece = next()) reader.read(piece);
   reader.finish();
 }
 

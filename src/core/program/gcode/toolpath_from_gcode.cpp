@@ -400,7 +400,7 @@ Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& s
   }
   const std::string file_name = path.substr(path.find_last_of('/') + 1);
   const std::string part_name = file_name.substr(0, file_name.find_last_of('.'));
-  if (has_drops) return toolpathOf(parseDropProgram(readFile(path), settings.drops), part_name);
+  if (has_drops) return toolpathOf(parseDropProgram(readTextFile(path), settings.drops), part_name);
   Toolpath toolpath = builder.finish(part_name);
   if (toolpath.layers.empty())
     throw InvalidProgram("'" + path + "' has no motion; expected a program that prints");

@@ -109,7 +109,7 @@ std::optional<ProgramLine> ProgramCursor::next() {
   while (std::getline(*text_, raw_)) {
     ++text_line_;
     bytes_read_ += raw_.size() + 1;
-    std::string_view line = raw_;
+    std::string_view line = text_line_ == 1 ? withoutUtf8Mark(raw_) : raw_;
     const std::size_t comment = commentOf(line);
     if (comment != std::string_view::npos) {
       readComment(line.substr(comment + 1));

@@ -256,11 +256,11 @@ EquippedToolpath equippedRapid(const RapidSource& source, RapidRunning running) 
 class RapidFiles {
  public:
   explicit RapidFiles(const std::string& path) : file_(path) {
-    texts_.push_back(readFile(path));
+    texts_.push_back(readTextFile(path));
     addModule(file_.filename().string(), texts_.front(), source_);
     for (const std::string& module : readModuleNotes(source_.head, source_.files.front())) {
       const std::string name = module + ".mod";
-      texts_.push_back(readFile((file_.parent_path() / name).string()));
+      texts_.push_back(readTextFile((file_.parent_path() / name).string()));
       addModule(name, texts_.back(), source_);
     }
   }

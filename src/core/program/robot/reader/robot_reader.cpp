@@ -104,7 +104,7 @@ BesideFile inFolderOf(const std::filesystem::path& first) {
     const std::filesystem::path path = first.parent_path() / name;
     std::error_code unknown;
     if (path != first && !std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
-    return readFile(path.string());
+    return readTextFile(path.string());
   };
 }
 
