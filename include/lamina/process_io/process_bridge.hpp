@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,8 +63,10 @@ class ProcessBridge {
   /// Adds a chunk to the plan.
   /// @throws InvalidInput as `ProcessPlan::accept`
   void accept(const ProcessChunk& chunk, double now_s);
-  /// Gives the positions of all joints [m, rad].
-  void updatePositions(const std::vector<double>& positions, double now_s) { motion_.hear(positions, now_s); }
+  /// Gives positions of joints by name, as `StandstillWatch::hear` takes them [m, rad].
+  void updatePositions(const std::map<std::string, double>& positions, double now_s) {
+    motion_.hear(positions, now_s);
+  }
 
   /// Computes one cycle; to be called at the rate of the settings. Times must not go back.
   BridgeCycle cycle(double now_s, const CycleView& view);

@@ -69,13 +69,15 @@ class InputWatch {
 /// Measures for how long no joint has moved.
 class StandstillWatch {
  public:
-  /// Positions of all joints [m, rad].
-  void hear(const std::vector<double>& positions, double now_s);
+  /// Positions of joints by name [m, rad]: all of a machine, or those that one of several sources reports. A
+  /// joint that is reported for the first time has not moved by that, nor has one whose position is no
+  /// number.
+  void hear(const std::map<std::string, double>& positions, double now_s);
   /// Time without motion [s], counted from `since_s` at the earliest.
   double stillFor(double since_s, double now_s) const;
 
  private:
-  std::vector<double> positions_;
+  std::map<std::string, double> positions_;  ///< where each joint moved to last
   std::optional<double> moved_s_;
 };
 

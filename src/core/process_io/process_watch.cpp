@@ -89,13 +89,14 @@ void InputWatch::look(const std::vector<double>& measured, const std::vector<Cha
   }
 }
 
-void StandstillWatch::hear(const std::vector<double>& positions, double now_s) {
-  bool is_moved = positions.size() != positions_.size();
-  for (std::size_t i = 0; !is_moved && i < positions.size(); ++i)
-    is_moved = !(std::abs(positions[i] - positions_[i]) <= kMoved);
-  if (!is_moved) return;
-  positions_ = positions;
-  moved_s_ = now_s;
+void StandstillWatch::hear(const std::map<std::string, double>& positions, double now_s) {
+  for (const auto& [joint, position] : positions) {
+    if (!std::isfinite(position)) continue;
+    const auto [known, is_first] = positions_.try_emplace(joint, position);
+    if (is_first || std::abs(position - known->second) <= kMoved) continue;
+    known->second = position;
+    moved_s_ = now_s;
+  }
 }
 
 double StandstillWatch::stillFor(double since_s, double now_s) const {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -218,8 +219,11 @@ void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
 }
 
 void ProcessIo::onPositions(const sensor_msgs::JointState& message) {
+  std::map<std::string, double> positions;
+  for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i)
+    positions[message.name[i]] = message.position[i];
   const std::lock_guard<std::mutex> lock(mutex_);
-  bridge_.updatePositions(message.position, clock_.now());
+  bridge_.updatePositions(positions, clock_.now());
 }
 
 void ProcessIo::onCycle(double due_s) {

@@ -27,7 +27,7 @@ std::string carried(const SettingTexts& set) {
   for (int i = 1; i <= 500; ++i) {
     const double now_s = 0.01 * i;
     if (i == 200) bridge.accept({{{now_s, on}, {now_s + 2.0, on}}, now_s + 2.0}, now_s);
-    bridge.updatePositions({i < 300 ? now_s : 3.0}, now_s);
+    bridge.updatePositions({{"x", i < 300 ? now_s : 3.0}}, now_s);
     const double measured = i == 220 ? 0.0 : 2000.0;
     const BridgeCycle cycle = bridge.cycle(now_s, {{{i > 50, "not there"}},
                                                    std::vector<double>(tables.inputs.size(), measured),
