@@ -22,6 +22,7 @@
 #include "names.hpp"
 #include "ros_devices.hpp"
 #include "shutdown.hpp"
+#include "stamps.hpp"
 
 namespace lamina {
 namespace {
@@ -205,7 +206,7 @@ void ProcessIo::connect(const ros::NodeHandle& node) {
 
 void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
   // ROS time may be set while the monotonic clock goes on: it counts once per chunk.
-  const double begin_s = clock_.now() + (message.header.stamp - ros::Time::now()).toSec();
+  const double begin_s = clock_.now() + secondsBetween(ros::Time::now(), message.header.stamp);
   ProcessChunk chunk;
   for (const lamina_msgs::ProcessPoint& point : message.points)
     chunk.points.push_back({begin_s + point.time_from_start.toSec(), fromMessage(point)});

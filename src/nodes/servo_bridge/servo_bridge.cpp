@@ -13,6 +13,7 @@
 #include "names.hpp"
 #include "servo_diagnostics.hpp"
 #include "shutdown.hpp"
+#include "stamps.hpp"
 
 namespace lamina {
 namespace {
@@ -100,7 +101,7 @@ void ServoBridge::accept(const follow::Goal& goal) {
   if (drive_->state().is_at_rest) epoch_ = {ros::Time::now(), clock_.now()};
   const ros::Time& stamp = goal.trajectory.header.stamp;
   const double begin_s =
-      stamp.isZero() ? clock_.now() + kJoin : epoch_.steady_s + (stamp - epoch_.ros).toSec();
+      stamp.isZero() ? clock_.now() + kJoin : epoch_.steady_s + secondsBetween(epoch_.ros, stamp);
   TrajectoryChunk chunk;
   chunk.points.reserve(goal.trajectory.points.size());
   for (const auto& point : goal.trajectory.points) {

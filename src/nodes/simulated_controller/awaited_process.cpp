@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "stamps.hpp"
+
 namespace lamina {
 namespace {
 
@@ -26,7 +28,7 @@ void keep(std::deque<ros::Time>& stamps, const ros::Time& stamp) {
 
 void AwaitedProcess::hearGoal(const ros::Time& stamp) {
   if (dropUpTo(processes_, stamp)) return goals_.clear();
-  const bool is_expected = !last_process_.isZero() && (stamp - last_process_).toSec() <= expected_s_;
+  const bool is_expected = !last_process_.isZero() && secondsBetween(last_process_, stamp) <= expected_s_;
   if (is_expected) keep(goals_, stamp);
 }
 

@@ -3,14 +3,15 @@
 #include "process_queue.hpp"
 
 #include "joint_messages.hpp"
+#include "stamps.hpp"
 
 namespace lamina {
 
 void ProcessQueue::accept(const lamina_msgs::ProcessTrajectory& message) {
   while (!points_.empty() && points_.back().from >= message.header.stamp) points_.pop_back();
   for (const auto& point : message.points)
-    points_.push_back({message.header.stamp + point.time_from_start, fromMessage(point)});
-  valid_until_ = message.header.stamp + message.valid_for;
+    points_.push_back({stampAfter(message.header.stamp, point.time_from_start), fromMessage(point)});
+  valid_until_ = stampAfter(message.header.stamp, message.valid_for);
 }
 
 ProcessSignals ProcessQueue::at(const ros::Time& now) {
@@ -18,8 +19,8 @@ ProcessSignals ProcessQueue::at(const ros::Time& now) {
   if (points_.empty() || now < points_.front().from || now > valid_until_) return safeSignals();
   ProcessSignals signals = points_.front().signals;
   if (points_.size() < 2) return signals;
-  const double span_s = (points_[1].from - points_[0].from).toSec();
-  const double share = span_s > 0.0 ? (now - points_[0].from).toSec() / span_s : 0.0;
+  const double span_s = secondsBetween(points_[0].from, points_[1].from);
+  const double share = span_s > 0.0 ? secondsBetween(points_[0].from, now) / span_s : 0.0;
   return between(signals, points_[1].signals, share);
 }
 

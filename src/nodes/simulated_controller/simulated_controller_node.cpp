@@ -15,6 +15,7 @@
 #include "lamina/kinematics/model/joint_limits.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
+#include "stamps.hpp"
 #include "tf/transforms.hpp"
 
 namespace lamina {
@@ -130,7 +131,7 @@ ros::Time SimulatedControllerNode::clientStampOf(double time_s) const { return s
 
 /// By how much a goal from rest begins in the past, if a slow host may be late with it [s].
 double SimulatedControllerNode::latenessOf(const ros::Time& begin) const {
-  const double late_s = clock_.now() - (begin - epoch_).toSec();
+  const double late_s = clock_.now() - secondsBetween(epoch_, begin);
   return late_s > settings_.host_wait_s ? 0.0 : std::max(0.0, late_s);
 }
 
@@ -145,7 +146,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
   TrajectoryChunk chunk;
   for (const auto& point : goal.trajectory.points) {
     chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, model_->joints()));
-    chunk.points.back().time_s = (begin - epoch_ + point.time_from_start).toSec() + behind_s_;
+    chunk.points.back().time_s = secondsBetween(epoch_, begin) + point.time_from_start.toSec() + behind_s_;
     const std::size_t count = chunk.points.size();
     if (count > 1 && !(chunk.points[count - 1].time_s > chunk.points[count - 2].time_s))
       throw InvalidInput("point " + std::to_string(count - 1) + " is not later than the one before");
@@ -203,7 +204,7 @@ std::optional<double> SimulatedControllerNode::nextWait() const {
   std::optional<double> at_s = controller_.runsOutAt();
   const std::optional<ros::Time> awaited = awaited_.first();
   if (!awaited || process_trajectory_.getNumPublishers() == 0) return at_s;
-  const double begin_s = (*awaited - epoch_).toSec() + behind_s_;
+  const double begin_s = secondsBetween(epoch_, *awaited) + behind_s_;
   return at_s ? std::min(*at_s, begin_s) : begin_s;
 }
 

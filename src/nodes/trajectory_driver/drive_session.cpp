@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive_session.hpp"
 #include "lamina/base/number_text.hpp"
+#include "stamps.hpp"
 
 #include <ros/console.h>
 
@@ -78,7 +79,7 @@ ros::Time DriveSession::followTime(const ros::Time& now) {
 double DriveSession::controllerTime(const ros::Time& now) const {
   if (!isByStamps()) return jobTime(now);
   const std::lock_guard<std::mutex> lock(report_mutex_);
-  return reported_.isZero() ? -settings_.start_delay_s : (reported_ - begin_).toSec();
+  return reported_.isZero() ? -settings_.start_delay_s : secondsBetween(begin_, reported_);
 }
 
 /// Whether what is planned is over. By stamps only the controller knows.

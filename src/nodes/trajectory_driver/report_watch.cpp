@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_watch.hpp"
 #include "lamina/base/number_text.hpp"
+#include "stamps.hpp"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ ReportWatch::ReportWatch(const TrackingLimits& limits, double connection_s, cons
     : limits_(limits), connection_s_(connection_s), looked_at_(begin) {}
 
 void ReportWatch::hear(const ros::Time& stamp, const ros::Time& now) {
-  if (!stamp_.isZero() && stamp > stamp_) gap_s_ = std::max(gap_s_, (stamp - stamp_).toSec());
+  if (!stamp_.isZero() && stamp > stamp_) gap_s_ = std::max(gap_s_, secondsBetween(stamp_, stamp));
   stamp_ = std::max(stamp_, stamp);
   looked_at_ = std::max(looked_at_, now);
   unheard_s_ = 0.0;

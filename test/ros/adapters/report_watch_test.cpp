@@ -34,6 +34,18 @@ TEST(ReportWatch, ByArrivalASilentControllerIsNoticedAfterTheLimit) {
   EXPECT_NE(silence->find("silent"), std::string::npos) << *silence;
 }
 
+TEST(ReportWatch, HearsStampsThatNoClockGives) {
+  const ros::Time garbled(4294967295, 0);
+  ReportWatch by_arrival = watch(SilenceBy::Arrival);
+  by_arrival.hear(after(0.1), after(0.1));
+  by_arrival.hear(garbled, after(0.2));
+  EXPECT_FALSE(by_arrival.look(after(0.3))) << "it is not silent";
+  ReportWatch by_stamps = watch(SilenceBy::Stamps);
+  by_stamps.hear(after(0.1), after(0.1));
+  by_stamps.hear(garbled, after(0.2));
+  EXPECT_TRUE(by_stamps.look(after(0.3)));
+}
+
 TEST(ReportWatch, ByArrivalADriverThatDidNotRunItselfDoesNotBlameTheController) {
   ReportWatch of = watch(SilenceBy::Arrival);
   of.hear(after(0.1), after(0.1));

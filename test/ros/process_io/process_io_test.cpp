@@ -239,6 +239,21 @@ TEST(ProcessIo, ALostDeviceMakesTheOthersSafeAndIsAnAlarm) {
   EXPECT_EQ(cell.alarms.back().message, cell.ready.reason);
 }
 
+TEST(ProcessIo, GoesOnAsPlannedWhereAPlanStatesATimeThatNoClockGives) {
+  ProcessCell cell("/garbled");
+  const auto node = cell.start();
+  ASSERT_TRUE(cell.becomesReady()) << cell.ready.reason;
+  cell.run(1000, 1.0);
+  ASSERT_TRUE(waitUntil([&] { return cell.isLit(); }));
+  lamina_msgs::ProcessTrajectory garbled;
+  garbled.header.stamp = ros::Time(4294967295, 0);
+  garbled.points.resize(1);
+  cell.plan.publish(garbled);
+  cell.run(1, 0.2);
+  EXPECT_TRUE(waitUntil([&] { return !cell.fans.empty() && cell.fans.back() == 0.0 && !cell.isLit(); }));
+  EXPECT_EQ(node->end(SIGTERM), 0) << "a node that dies leaves devices without a watchdog on";
+}
+
 TEST(ProcessIo, EndsSafeAndIsSafeByTheDeviceWhenItIsKilled) {
   ProcessCell cell("/ended");
   auto node = cell.start();
