@@ -104,7 +104,7 @@ void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
   requireApart({arguments.output, arguments.drops.sweep},
                {arguments.program, arguments.part, arguments.settings.config});
   const JobSettings settings = settingsFrom(arguments);
-  if (isDropProgram(readFile(arguments.program), settings.program.drops)) {
+  if (isDropProgram(readTextFile(arguments.program), settings.program.drops)) {
     requireNone(arguments.for_beads, arguments.program, "drops");
     return fillDropVoids({arguments.program, arguments.output, arguments.drops.sweep}, settings, format);
   }

@@ -242,6 +242,11 @@ class Rest(unittest.TestCase):
             self.assertIn("G1 X20 E2\n", text)
             self.assertNotIn("G1 X40 E1\n", text)
 
+    def test_a_line_below_zero_is_named_as_it_was_typed(self):
+        done = lamina("resume", self.program, "--from-line=-5", "--nozzle-height=1", "-o", self.rest)
+        self.assertEqual(done.returncode, 105, done.stderr)
+        self.assertIn("--from-line: Number less than 0: -5", done.stderr)
+
     def test_the_height_of_the_nozzle_must_be_stated(self):
         done = lamina("resume", self.program, "--from-line=7", "-o", self.rest)
         self.assertEqual(done.returncode, 1)

@@ -41,6 +41,16 @@ TEST_F(OutputFiles, AreApartFromEachOtherBeforeTheyAreThere) {
   EXPECT_NO_THROW(requireApart({"", "", "a.csv", "b.csv"}, {"", ""}));
 }
 
+TEST_F(OutputFiles, AreTriedAndLeftAsTheyAre) {
+  EXPECT_NO_THROW(requireWritableFile(""));
+  EXPECT_NO_THROW(requireWritableFile(folder_.file("new.gcode")));
+  EXPECT_NO_THROW(requireWritableFile(read_));
+  EXPECT_THROW(requireWritableFile(folder_.file("missing/a.gcode")), FileError);
+  EXPECT_THROW(requireWritableFile(folder_.file(".")), FileError);
+  EXPECT_EQ(std::filesystem::file_size(read_), 8U) << "precious";
+  EXPECT_EQ(folder_.fileCount(), 1U);
+}
+
 TEST_F(OutputFiles, HaveOneOfTheSuffixes) {
   EXPECT_NO_THROW(requireSuffix("a.csv", {".csv", ".json"}));
   EXPECT_NO_THROW(requireSuffix("", {".csv"}));

@@ -204,6 +204,7 @@ void film(const FilmArguments& arguments, OutputFormat format) {
   const Film film(timed, *model, std::filesystem::path(arguments.run.input).filename().string());
   nlohmann::ordered_json frames = nlohmann::json::array();
   for (int number = 1; number <= arguments.frames; ++number) {
+    throwIfCancelled(progress, "draw");
     const Frame frame{frameFile(arguments.folder, number),
                       film.stateAt(film.duration() * number / arguments.frames)};
     film.draw(frame);

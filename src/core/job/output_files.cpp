@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 
@@ -38,6 +39,10 @@ void requireApart(const std::vector<std::string>& outputs, const std::vector<std
         throw InvalidInput("output '" + outputs[i] + "' is also written as '" + outputs[j] +
                            "'; expected another one");
   }
+}
+
+void requireWritableFile(const std::string& output) {
+  if (!output.empty()) const AtomicFile tried(output);
 }
 
 void requireSuffix(const std::string& output, const std::vector<std::string>& suffixes) {

@@ -217,6 +217,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   requireApart({job.output},
                {job.part, job.settings.machine.urdf, job.settings.conformal.base, job.settings.modifiers,
                 job.settings.slicing.heights_file, job.settings.volumetric.target_file});
+  requireWritableFile(job.output);
   requireToolAxisFor(job, space);
   Laps laps;
   progress.report("read", 0.0);
