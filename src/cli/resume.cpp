@@ -132,7 +132,9 @@ void addResume(CLI::App& app, Chosen& chosen) {
   command->add_option("program", arguments->program, "G-code file, or program of a robot")->required();
   auto* const output = command->add_option("-o,--output", arguments->output, "file for the rest");
   auto* const line = command->add_option("--from-line", arguments->line, "command to go on from, from 1")
-                         ->check(CLI::NonNegativeNumber);
+                         ->check([](const std::string& text) {
+                           return text.rfind('-', 0) == 0 ? text + "; expected 1 or more" : std::string();
+                         });
   command->add_option("--of-file", arguments->file, "file of a robot's program that has the line, as PART_3")
       ->needs(line);
   auto* const layer =

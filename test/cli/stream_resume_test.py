@@ -245,7 +245,7 @@ class Rest(unittest.TestCase):
     def test_a_line_below_zero_is_named_as_it_was_typed(self):
         done = lamina("resume", self.program, "--from-line=-5", "--nozzle-height=1", "-o", self.rest)
         self.assertEqual(done.returncode, 105, done.stderr)
-        self.assertIn("--from-line: Number less than 0: -5", done.stderr)
+        self.assertIn("--from-line: -5; expected 1 or more", done.stderr)
 
     def test_the_height_of_the_nozzle_must_be_stated(self):
         done = lamina("resume", self.program, "--from-line=7", "-o", self.rest)
