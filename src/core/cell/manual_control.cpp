@@ -55,7 +55,7 @@ CommandAnswer againstAxis(const ManualStep& step, const std::vector<std::string>
 }
 
 CommandAnswer againstStep(const ManualStep& step, const std::vector<std::string>& joints) {
-  const CommandAnswer answer = againstAxis(step, joints);
+  CommandAnswer answer = againstAxis(step, joints);
   if (answer.result != CommandResult::Accepted) return answer;
   if (!std::isfinite(step.step) || step.step == 0.0)
     return {CommandResult::BadValue,

@@ -185,7 +185,7 @@ TEST(GrowthFit, LiesAcrossOneGivenDirection) {
 TEST(GrowthFit, CrossesALeaningCylinderFromItsFootOnIfTheFootIsFree) {
   Mesh cylinder = makePart("cylinder", {{"radius_mm", "10"}, {"height_mm", "14"}, {"segments", "256"}});
   for (Point3& vertex : cylinder.vertices) vertex.x() += vertex.z();
-  const Point3 axis = Point3(1.0, 0.0, 1.0).normalized();
+  Point3 axis = Point3(1.0, 0.0, 1.0).normalized();
   const auto along = [&](const Point3&) { return axis; };
   const Fitted part = fittedAlong(cylinder, 1.0, along, GrowthFoot::Free);
   Mean is_off;  // at crumbs of a cell without neighbours all around

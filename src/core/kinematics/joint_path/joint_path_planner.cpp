@@ -37,7 +37,7 @@ std::vector<WindLink> windLinks(const std::vector<StationJoints>& joints,
 std::string neededTurn(const WoundUp& at, const JointRange& range) {
   const double needed = at.highest - at.lowest;
   const double held = range.high - range.low;
-  const std::string text = "; it turns by " + angleText(needed) + " there, of " + angleText(held);
+  std::string text = "; it turns by " + angleText(needed) + " there, of " + angleText(held);
   if (needed > held) return text;
   double least = range.low - at.lowest;
   double most = range.high - at.highest;

@@ -51,15 +51,15 @@ struct BitCorner {
   bool is_within = false;    // these are all that there are
 };
 
-constexpr int kCornersAlong = CellGraph::kBits + 1;
+constexpr std::size_t kCornersAlong = CellGraph::kBits + 1;
 
 constexpr std::array<BitCorner, kCornersAlong * kCornersAlong * kCornersAlong> bitCorners() {
   std::array<BitCorner, kCornersAlong * kCornersAlong * kCornersAlong> corners{};
-  for (int number = 0; number < kCornersAlong * kCornersAlong * kCornersAlong; ++number) {
-    BitCorner& corner = corners[static_cast<std::size_t>(number)];
-    corner.x = number % kCornersAlong;
-    corner.y = number / kCornersAlong % kCornersAlong;
-    corner.z = number / kCornersAlong / kCornersAlong;
+  for (std::size_t number = 0; number < corners.size(); ++number) {
+    BitCorner& corner = corners[number];
+    corner.x = static_cast<int>(number % kCornersAlong);
+    corner.y = static_cast<int>(number / kCornersAlong % kCornersAlong);
+    corner.z = static_cast<int>(number / kCornersAlong / kCornersAlong);
     int count = 0;
     for (int bit = 0; bit < 64; ++bit) {
       const int x = corner.x - bit % 4;
@@ -196,7 +196,7 @@ class GrowthMarch {
   /// The way to a node that turns at a linked one: at the corner of its bits that makes it shortest, of those
   /// that hold it and that it leads to and from within the part.
   WayOffer turnedAt(std::uint32_t by, std::uint32_t node) {
-    const WayOffer middle = from(node, {cells_.middle(by), best_[by].growth_mm, CellGraph::kNone});
+    WayOffer middle = from(node, {cells_.middle(by), best_[by].growth_mm, CellGraph::kNone});
     if (middle.growth_mm > best_[node].growth_mm + 2.0 * cells_.frame().voxel_mm) return {};
     findCorners(by, node, isBetter(middle, best_[node]) ? middle : best_[node]);
     const Point3& before = best_[by].turn.at;

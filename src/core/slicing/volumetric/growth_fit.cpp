@@ -180,7 +180,9 @@ class GrowthFit {
     for (int bit = 0; bit < 64; ++bit) {
       if ((cells_.bits(node) >> bit & 1U) == 0) continue;
       Point3 corner = cells_.corner(node);
-      corner += cells_.bitSide() * Point3(bit % 4 + 0.5, bit / 4 % 4 + 0.5, bit / 16 + 0.5);
+      const int layer = bit / 16;
+      const int row = bit / 4 % 4;
+      corner += cells_.bitSide() * Point3(bit % 4 + 0.5, row + 0.5, layer + 0.5);
       corner -= half * Point3(gradient.array().sign());
       if (corner.z() < arrival_.bed_mm + half + kOnBedMm) corner.z() = arrival_.bed_mm;
       least = std::min(least, gradient.dot(corner - cells_.middle(node)));
