@@ -29,6 +29,10 @@ void take(const Tolerances& stated, const KinematicModel& model, std::vector<Mos
     if (found == joints.end())
       throw GoalFault(follow::Result::INVALID_JOINTS,
                       "a tolerance is of joint '" + each.name + "', which " + model.name() + " has not");
+    if (std::isnan(each.position) || std::isnan(each.velocity))
+      throw GoalFault(follow::Result::INVALID_GOAL,
+                      "a tolerance of joint '" + each.name +
+                          "' is nan; expected a number: 0 for the controller's own, below 0 for none");
     const bool is_linear = found->kind == JointKind::Linear;
     const auto inModel = [&](double si) { return is_linear && si > 0.0 ? toMillimetres(si) : si; };
     Most& most = all[static_cast<std::size_t>(found - joints.begin())];

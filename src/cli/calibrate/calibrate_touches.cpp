@@ -14,6 +14,7 @@
 #include "lamina/calibration/external_axis_fit.hpp"
 #include "lamina/calibration/tool_centre.hpp"
 #include "lamina/calibration/work_object.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "output/point_json.hpp"
 
@@ -153,7 +154,7 @@ void calibrateObject(const TouchArguments& arguments, OutputFormat format) {
 
 /// Roll, pitch and yaw [deg] of the least turn that leads z to a direction.
 Point3 anglesOfAxis(const Point3& direction) {
-  const RobotAngles angles = robotAngles(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), direction));
+  const RobotAngles angles = robotAngles(shortestRotation(Point3::UnitZ(), direction));
   return {angles.x_deg, angles.y_deg, angles.z_deg};
 }
 

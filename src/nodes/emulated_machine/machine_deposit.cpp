@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/deposition/bead_deposit.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/geometry/voxel/voxel_view.hpp"
 
 namespace lamina {
@@ -149,7 +150,7 @@ std::unique_ptr<MachineDeposit> leaningBed(const Box3& shown, const Eigen::Vecto
                         numberText(toDegrees(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)))) +
                         " deg; expected 0, or an upright one");
   const Eigen::Vector3d up = -tool_axis;
-  const Eigen::Isometry3d bed_from_surface(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up));
+  const Eigen::Isometry3d bed_from_surface(shortestRotation(Eigen::Vector3d::UnitZ(), up));
   HeightMap bed =
       bareHeights(shownAlong(bed_from_surface.linear().transpose(), shown), settings.deposit_cell_mm);
   const Eigen::RowVector3d slope = bed_from_surface.linear().row(2);

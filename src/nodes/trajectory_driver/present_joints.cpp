@@ -81,7 +81,7 @@ bool PresentJoints::areStillFor(double time_s) const {
   const ros::Time now = ros::Time::now();
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const auto& [name, heard] : heard_)
-    if ((now - heard.moved_at).toSec() < time_s) return false;
+    if ((now - heard.moved_at).toSec() < time_s || (now - heard.at).toSec() > time_s) return false;
   return true;
 }
 

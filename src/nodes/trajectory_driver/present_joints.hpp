@@ -23,7 +23,8 @@ class PresentJoints {
   /// @param age_s   since a joint was heard of, at most
   /// @throws TimedOut naming the joint that nothing is heard of; Cancelled if the node is asked to stop
   JointValues fresh(double age_s, double wait_s) const;
-  /// Whether no joint has moved for so long. True if nothing is heard of them.
+  /// Whether no joint has moved for so long, by reports that still come: of one that is no longer reported
+  /// nobody knows. True if none was ever heard of.
   bool areStillFor(double time_s) const;
 
  private:

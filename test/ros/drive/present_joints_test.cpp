@@ -47,5 +47,31 @@ TEST(PresentJoints, AreNotThoseOfBeforeRosTimeWentBack) {
   EXPECT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
 }
 
+TEST(PresentJoints, AreNotStillOnceNobodyReportsThem) {
+  const test::SetTime time;
+  time.set(6000.0);
+  ros::NodeHandle node;
+  const auto model = kinematicModelOf(MachineSettings());
+  const PresentJoints joints(node, *model);
+  EXPECT_TRUE(joints.areStillFor(0.2)) << "never heard of";
+  const ros::Publisher reports = node.advertise<sensor_msgs::JointState>(names::kJointStates, 10);
+  sensor_msgs::JointState state;
+  for (const DrivenJoint& joint : model->joints()) {
+    state.name.push_back(joint.name);
+    state.position.push_back(0.1);
+  }
+  ASSERT_TRUE(test::waitUntil([&] { return reports.getNumSubscribers() > 0; }));
+  reports.publish(state);
+  ASSERT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
+  time.set(6000.1);
+  EXPECT_FALSE(joints.areStillFor(0.2)) << "for 0.1 s only";
+  time.set(6000.3);
+  EXPECT_FALSE(joints.areStillFor(0.2)) << "not heard of for 0.3 s";
+  ASSERT_TRUE(test::waitUntil([&] {
+    reports.publish(state);
+    return joints.areStillFor(0.2);
+  }));
+}
+
 }  // namespace
 }  // namespace lamina

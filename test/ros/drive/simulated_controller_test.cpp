@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cmath>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -173,6 +175,11 @@ TEST(SimulatedController, GivesEachCodeOfTheActionForItsFault) {
   follow::Goal far = controlled.goalOf(ros::Time(), 0.0, 1e5);
   endsAs(far, follow::Result::INVALID_GOAL, "a point is at joint");
   const std::string joint = goal().trajectory.joint_names[0];
+  follow::Goal undefined = goal();
+  undefined.goal_tolerance.resize(1);
+  undefined.goal_tolerance[0].name = joint;
+  undefined.goal_tolerance[0].position = std::nan("");
+  endsAs(undefined, follow::Result::INVALID_GOAL, "a tolerance of joint '" + joint + "' is nan");
   follow::Goal tight = goal();
   tight.path_tolerance.resize(1);
   tight.path_tolerance[0].name = joint;

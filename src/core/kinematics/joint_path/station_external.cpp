@@ -8,6 +8,7 @@
 #include "kinematics/joint_path/stations.hpp"
 #include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/kinematics/arm/external_axis.hpp"
 
 namespace lamina {
@@ -39,8 +40,8 @@ Eigen::Quaterniond unspunOver(const GravityTable& table, const TableValues& valu
   const Eigen::Quaterniond turned =
       Eigen::AngleAxisd(values.turn, table.up.axes[0]) * Eigen::AngleAxisd(values.tilt, table.up.axes[1]);
   const Point3 down = -table.up.at_zero;
-  const Eigen::Quaterniond upright = Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), down);
-  return turned * Eigen::Quaterniond::FromTwoVectors(down, turned.conjugate() * tool_axis) * upright;
+  const Eigen::Quaterniond upright = shortestRotation(Point3::UnitZ(), down);
+  return turned * shortestRotation(down, turned.conjugate() * tool_axis) * upright;
 }
 
 void obeyGravity(std::vector<Station>& stations, const KinematicModel& model,

@@ -22,6 +22,7 @@
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh/subdivision.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
@@ -43,9 +44,7 @@ using Corners = std::array<Point3, 3>;
 class Seen {
  public:
   Seen(const Mesh& mesh, const Point3& direction)
-      : mesh_(mesh),
-        turn_(Eigen::Quaterniond::FromTwoVectors(direction, Point3::UnitZ()).toRotationMatrix()),
-        tree_(boxes()) {
+      : mesh_(mesh), turn_(shortestRotation(direction, Point3::UnitZ()).toRotationMatrix()), tree_(boxes()) {
     Box3 all{turn_ * mesh.vertices.front(), turn_ * mesh.vertices.front()};
     for (const Point3& vertex : mesh.vertices) {
       all.low = all.low.cwiseMin(turn_ * vertex);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/volumetric/head_room.hpp"
+#include "lamina/geometry/shortest_rotation.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -72,7 +73,7 @@ bool HeadRoom::isClear(const Point3& tip, const Point3& axis, double growth_mm) 
         axis.z() > 0.0 ? std::max(kTipMm, stage.from_mm) : std::min(kFarthestMm, stage.to_mm);
     if (tip.z() + along * axis.z() - stage.radius_mm * flat < bed_mm_ - kBedMm) return false;
   }
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), axis);
+  const Eigen::Quaterniond turn = shortestRotation(Point3::UnitZ(), axis);
   const Eigen::Matrix3d frame = turn.toRotationMatrix();
   const auto isFilled = [&](const Point3& point) { return growth_->at(tip + frame * point) < growth_mm; };
   return std::none_of(hull_.begin(), hull_.end(), [&](const Patch& patch) {
