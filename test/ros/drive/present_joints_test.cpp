@@ -24,6 +24,16 @@ bool areFresh(const PresentJoints& joints) {
   }
 }
 
+/// All joints of a model at 0.1 m or rad.
+sensor_msgs::JointState reportOf(const KinematicModel& model) {
+  sensor_msgs::JointState state;
+  for (const DrivenJoint& joint : model.joints()) {
+    state.name.push_back(joint.name);
+    state.position.push_back(0.1);
+  }
+  return state;
+}
+
 TEST(PresentJoints, AreNotThoseOfBeforeRosTimeWentBack) {
   const test::SetTime time;
   time.set(5000.0);
@@ -31,11 +41,7 @@ TEST(PresentJoints, AreNotThoseOfBeforeRosTimeWentBack) {
   const auto model = kinematicModelOf(MachineSettings());
   const PresentJoints joints(node, *model);
   const ros::Publisher reports = node.advertise<sensor_msgs::JointState>(names::kJointStates, 10);
-  sensor_msgs::JointState state;
-  for (const DrivenJoint& joint : model->joints()) {
-    state.name.push_back(joint.name);
-    state.position.push_back(0.1);
-  }
+  const sensor_msgs::JointState state = reportOf(*model);
   ASSERT_TRUE(test::waitUntil([&] { return reports.getNumSubscribers() > 0; }));
   reports.publish(state);
   ASSERT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
@@ -55,11 +61,7 @@ TEST(PresentJoints, AreNotStillOnceNobodyReportsThem) {
   const PresentJoints joints(node, *model);
   EXPECT_TRUE(joints.areStillFor(0.2)) << "never heard of";
   const ros::Publisher reports = node.advertise<sensor_msgs::JointState>(names::kJointStates, 10);
-  sensor_msgs::JointState state;
-  for (const DrivenJoint& joint : model->joints()) {
-    state.name.push_back(joint.name);
-    state.position.push_back(0.1);
-  }
+  const sensor_msgs::JointState state = reportOf(*model);
   ASSERT_TRUE(test::waitUntil([&] { return reports.getNumSubscribers() > 0; }));
   reports.publish(state);
   ASSERT_TRUE(test::waitUntil([&] { return areFresh(joints); }));
