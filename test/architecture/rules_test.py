@@ -17,6 +17,7 @@ import one_source
 import references
 import scratch_files
 import settings_coverage
+import suites_of_rostests
 
 
 def tree(files):
@@ -269,6 +270,20 @@ class ScratchFiles(unittest.TestCase):
 
     def test_the_scratch_folder_is_made_there(self):
         self.assertEqual(list(scratch_files.faults(tree({"test/support/scratch_folder.hpp": self.SOURCE}))), [])
+
+
+class SuitesOfRostests(unittest.TestCase):
+    def found(self, args):
+        return [fault.split()[2] for fault in suites_of_rostests.faults(tree({
+            "test/ros/CMakeLists.txt": "lamina_batch_sources(lamina_rostests loop/a_test.cpp\n  b_test.cpp ${SRC}/c.cpp)\n",
+            "test/ros/loop/a_test.cpp": "TEST(Cell, A) {}\nTEST(Cell, B) {}\n", "test/ros/b_test.cpp": "TEST_P(Wall, A) {}\n",
+            "test/ros/loop/a.test": f'<test type="lamina_rostests" args="{args}"/>\n'}))]
+
+    def test_one_that_no_file_runs_is_named(self):
+        self.assertEqual(self.found("Cell"), ["Wall;"])
+
+    def test_several_of_one_file_are_run(self):
+        self.assertEqual(self.found("Cell Wall"), [])
 
 
 class SettingsCoverage(unittest.TestCase):

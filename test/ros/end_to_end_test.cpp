@@ -172,10 +172,3 @@ TEST(EndToEnd, TheSamePartPrintedAgainIsMeasuredAfresh) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "end_to_end_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -147,10 +147,3 @@ TEST_F(Optimiser, StopsWhenCancelledAndGoesOnWhenAskedAgain) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "optimiser_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

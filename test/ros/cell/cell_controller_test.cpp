@@ -492,10 +492,3 @@ TEST(CellController, OffersTheJobOfAKilledStreamerAndRunsEachLineOnce) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "cell_controller_test");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

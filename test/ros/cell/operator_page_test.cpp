@@ -356,7 +356,7 @@ TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
   CellWithPage cell(
       "tokens", 20.0,
       {"_auth/loopback:=token", "_api/octoprint_print:=release", "_web/hosts:=cell.example.org"});
-  FILE* command = popen((std::string(LAMINA_COMMAND) + " token add --role operator --name anna " +
+  FILE* command = popen((std::string(LAMINA_TOKEN_COMMAND) + " token add --role operator --name anna " +
                          cell.folder.path() + "/page 2>/dev/null")
                             .c_str(),
                         "r");
@@ -420,10 +420,3 @@ TEST(OperatorPage, IsOperatedByKeyboardAlone) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "operator_page_test");
-  const ros::NodeHandle keeps_ros_running;
-  return RUN_ALL_TESTS();
-}

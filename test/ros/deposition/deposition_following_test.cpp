@@ -28,7 +28,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kVoxel = 1e-12;  // m3: a cube of 0.1 mm
+constexpr double kVoxelVolume = 1e-12;  // m3: a cube of 0.1 mm
 
 /// What a follower in a namespace publishes.
 class Followed {
@@ -84,7 +84,8 @@ void expectGrown(const Followed& followed, double volume) {
   EXPECT_NEAR(last.planned_volume, volume, 1e-6 * volume);
   EXPECT_NEAR(last.fraction, 1.0F, 1e-5F);
   EXPECT_NEAR(last.summary.extruded_volume, volume, 1e-5 * volume);
-  EXPECT_NEAR(last.summary.model_volume + last.summary.excess_volume, volume, 1.01 * kVoxel + 1e-6 * volume);
+  EXPECT_NEAR(last.summary.model_volume + last.summary.excess_volume, volume,
+              1.01 * kVoxelVolume + 1e-6 * volume);
   EXPECT_NEAR(last.summary.excess_volume, 0.0, 1e-3 * volume);
   std::size_t half_way = 0;
   double before = 0.0;
@@ -107,11 +108,11 @@ TEST_P(DepositionFollowing, LaysWhatAPlayedMachineHasPassed) {
                                              "/tf_static:=/" + name + "/tf_static", "_machine/name:=" + name};
   std::vector<std::string> simulator = in_space;
   simulator.insert(simulator.end(), {"_mode:=follow", "_following/period_s:=0.1"});
-  const test::NodeProcess following(LAMINA_FOLLOWER, simulator);
+  const test::NodeProcess following(LAMINA_DEPOSITION_NODE, simulator);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isReadyFor(1); }));
   followed.latch(played.placed);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isFollowing(played.placed.id); }));
-  const test::NodeProcess publisher(LAMINA_NODE, in_space);
+  const test::NodeProcess publisher(LAMINA_PUBLISHER_NODE, in_space);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete() && followed.clouds.size() > 1; }));
   expectGrown(followed, depositedVolume(played.placed.toolpath));
   EXPECT_EQ(followed.clouds.back()->header.frame_id, names::kBedFrame);
@@ -159,10 +160,3 @@ TEST(DepositionFollowingTest, LaysWhatAnEmulatedMachineHasPassed) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "deposition_following_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

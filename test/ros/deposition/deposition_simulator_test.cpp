@@ -205,10 +205,3 @@ TEST_F(DepositionSimulator, ReportsHowFarItIsAndStopsWhenCancelled) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "deposition_simulator_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

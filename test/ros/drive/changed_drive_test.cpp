@@ -176,10 +176,11 @@ INSTANTIATE_TEST_SUITE_P(TrajectoryDriver, ChangedDrive,
 TEST(ChangedFeed, ChangesFeedFlowAndPowerWithoutAStop) {
   DriveCell cell("driverless", "five_axis_head_table");
   test::NodeProcess driver(
-      LAMINA_NODE, {"__ns:=/driverless", "_machine/name:=five_axis_head_table", "_process/kind:=powder",
-                    "_feeder/points:=250", "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5",
-                    "_feeder/feed_most:=2.0", "_feeder/override_ramp_s:=0.2", "_start_delay_s:=0.2",
-                    "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
+      LAMINA_DRIVER_NODE,
+      {"__ns:=/driverless", "_machine/name:=five_axis_head_table", "_process/kind:=powder",
+       "_feeder/points:=250", "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5", "_feeder/feed_most:=2.0",
+       "_feeder/override_ramp_s:=0.2", "_start_delay_s:=0.2", "_tracking/silence_by:=stamps",
+       "_approach/joint_speed:=1.0"});
   Toolpath part = twoBeads();
   for (const std::size_t bead : {0, 2}) part.layers[0].paths[bead].values = {{"laser_power_w", 1000.0}};
   cell.drive(part);

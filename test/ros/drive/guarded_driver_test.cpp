@@ -57,9 +57,10 @@ TEST_P(GuardedDriver, HasItsControllerStopped) {
                                 {"__ns:=/driverless", "__name:=host_watch", "_guard/grace_s:=600",
                                  "_guard/socket:=" + socket, "_disk/folder:=" + folder.path()});
   test::NodeProcess driver(
-      LAMINA_NODE, {"__ns:=/driverless", "__name:=trajectory_driver", "_guard/socket:=" + socket,
-                    "_machine/name:=five_axis_head_table", "_feeder/ahead_s:=60", "_start_delay_s:=0.2",
-                    "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
+      LAMINA_DRIVER_NODE,
+      {"__ns:=/driverless", "__name:=trajectory_driver", "_guard/socket:=" + socket,
+       "_machine/name:=five_axis_head_table", "_feeder/ahead_s:=60", "_start_delay_s:=0.2",
+       "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
   ASSERT_TRUE(isReady());
   cell.setSpeed(0.1);  // 36 s, of which a busy computer may lose many
   cell.drive(twoBeads());

@@ -51,7 +51,7 @@ class LedRobot {
     for (const std::string& one : more) is_patient = is_patient && one.find("silence_s") == std::string::npos;
     if (is_patient) more.emplace_back("_servoj/silence_s:=60");
     arguments.insert(arguments.end(), more.begin(), more.end());
-    bridge = std::make_unique<NodeProcess>(LAMINA_NODE, arguments);
+    bridge = std::make_unique<NodeProcess>(LAMINA_BRIDGE_NODE, arguments);
     client_ = std::make_unique<Client>(node_, names::kFollowJointTrajectory, false);
     const boost::function<void(const sensor_msgs::JointStateConstPtr&)> on_position =
         [this](const auto& message) { heard = *message; };
@@ -225,16 +225,10 @@ TEST(ServoBridge, AbortsTheGoalWhenAJointLeavesItsPath) {
 }
 
 TEST(ServoBridge, LeadsNoMachineThatIsNoRobotOfSixJoints) {
-  NodeProcess bridge(LAMINA_NODE, {"__ns:=/other", "_machine/name:=cartesian_gantry", "_robot/port:=0"});
+  NodeProcess bridge(LAMINA_BRIDGE_NODE,
+                     {"__ns:=/other", "_machine/name:=cartesian_gantry", "_robot/port:=0"});
   EXPECT_EQ(bridge.wait(), 1);
 }
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "servo_bridge_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -207,10 +207,3 @@ TEST(SimulatedController, GivesEachCodeOfTheActionForItsFault) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "simulated_controller_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -268,9 +268,10 @@ TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenAskedToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
     DriveCell cell("driverless", "five_axis_head_table");
     test::NodeProcess driver(
-        LAMINA_NODE, {"__ns:=/driverless", "_machine/name:=five_axis_head_table", "_feeder/points:=250",
-                      "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5", "_start_delay_s:=0.2",
-                      "_lift_mm_s:=20", "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
+        LAMINA_DRIVER_NODE,
+        {"__ns:=/driverless", "_machine/name:=five_axis_head_table", "_feeder/points:=250",
+         "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5", "_start_delay_s:=0.2", "_lift_mm_s:=20",
+         "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
     cell.drive(twoBeads());
     ASSERT_TRUE(waitUntil([&] { return cell.isDepositing(); }));
     EXPECT_EQ(driver.end(signal), 0);
@@ -427,7 +428,7 @@ TEST(TrajectoryDriver, EndsInAbortedIfRosTimeGoesBack) {
   controller.reports_joints = true;
   controller.refuses = false;
   const test::NodeProcess driver(
-      LAMINA_NODE,
+      LAMINA_DRIVER_NODE,
       clock.followedBy({"_machine/name:=five_axis_head_table", "_check_clearance:=false",
                         "_tracking/silence_s:=60", "_approach/lift_mm:=5", "_approach/joint_speed:=1.0"}));
   cell.drive(twoBeads(kUnderBed));
@@ -444,10 +445,3 @@ TEST(TrajectoryDriver, EndsInAbortedIfRosTimeGoesBack) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "trajectory_driver_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -180,7 +180,7 @@ TEST(CalibrationTest, FindsHowLateAndWhereAnEmulatedSensorSees) {
   using lamina_msgs::CalibrateTime;
   const test::ScratchFolder folder;
   writeFile(folder.file("moved.urdf"), gantryWithMovedSensor());
-  const test::NodeProcess machine(LAMINA_NODE, machineArguments(folder.file("moved.urdf")));
+  const test::NodeProcess machine(LAMINA_MACHINE_NODE, machineArguments(folder.file("moved.urdf")));
   const std::string calibration_file = folder.file("known.yaml");
   writeCalibration(calibration_file, ofGantry());
   const test::NodeProcess loop(LAMINA_LOOP_NODE,
@@ -224,7 +224,7 @@ TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   arguments.push_back("_plant/dead_time_s:=" + std::to_string(kDeadTime));
   arguments.push_back("_plant/lag_s:=" + std::to_string(kLag));
   arguments.emplace_back("_deposit/bead_width_mm:=0.8");
-  const test::NodeProcess machine(LAMINA_NODE, arguments);
+  const test::NodeProcess machine(LAMINA_MACHINE_NODE, arguments);
   const std::string calibration_file = folder.file("known.yaml");
   Calibration known = ofGantry();
   known.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
@@ -414,10 +414,3 @@ TEST(CalibrationTest, ReportsToTheMonitorWhenAndFromWhereTheSensorSees) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "calibration_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

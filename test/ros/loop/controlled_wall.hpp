@@ -42,7 +42,7 @@ class Controller {
     maps_ = node_.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 0, on_map);
     layers_ = node_.subscribe<lamina_msgs::LoopFigures>(names::kLoopFigures, 0, on_layer);
     states_ = node_.subscribe<lamina_msgs::LoopState>(names::kLoopState, 0, on_state);
-    process_.emplace(LAMINA_NODE, parameters);
+    process_.emplace(LAMINA_LOOP_NODE, parameters);
     waitUntil(
         [this] { return !states.empty() && maps_.getNumPublishers() > 0 && layers_.getNumPublishers() > 0; });
   }

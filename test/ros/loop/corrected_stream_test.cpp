@@ -91,7 +91,7 @@ class CorrectedCell {
   }
 
   void begin(const MachineToolpath& part) {
-    node = std::make_unique<test::NodeProcess>(LAMINA_NODE, arguments_);
+    node = std::make_unique<test::NodeProcess>(LAMINA_STREAMER_NODE, arguments_);
     publishLatched(toolpath, toMessage(part));
     EXPECT_TRUE(waitUntil([&] {
       return toolpath.getNumSubscribers() > 0 && correction.getNumSubscribers() > 0 &&
@@ -368,10 +368,3 @@ TEST(CorrectedStream, AnswersWhileAPlanIsWritten) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "corrected_stream_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

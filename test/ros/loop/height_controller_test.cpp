@@ -214,7 +214,8 @@ TEST(HeightController, IsCalibratedByTheScansOfThePrintItself) {
 
 TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsGiven) {
   const test::ScratchFolder folder;
-  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml"), "__name:=uncalibrated"});
+  NodeProcess node(LAMINA_LOOP_NODE,
+                   {"_sensor/calibration:=" + folder.file("none.yaml"), "__name:=uncalibrated"});
   EXPECT_EQ(node.wait(), 1);
 }
 
@@ -556,9 +557,3 @@ TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "height_controller_test");
-  return RUN_ALL_TESTS();
-}

@@ -185,9 +185,3 @@ TEST(RobotLoop, GoesOnWithTheLayersLeftPlannedAnew) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "robot_loop_test");
-  return RUN_ALL_TESTS();
-}

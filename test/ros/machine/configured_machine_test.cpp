@@ -80,7 +80,7 @@ class ConfiguredMachine : public testing::Test {
 
   int port_ = freePort();
   test::NodeProcess machine_{
-      LAMINA_NODE,
+      LAMINA_MACHINE_NODE,
       {"__ns:=/configured", "_tcp_port:=" + std::to_string(port_), "_emulator/speed_up:=20",
        "_filament_diameter_mm:=2.85", "_position_spacing_mm:=5.0", "_profile_spacing_mm:=2.0",
        "_profile_while_depositing:=true"}};

@@ -83,10 +83,3 @@ TEST(EmulatedBelt, WhatIsDepositedLiesOnTheBeltAndMovesWithIt) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "emulated_belt_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -143,10 +143,3 @@ TEST_F(EmulatedMachineNode, RestsOnceAllMotionsArePublishedAndStatesTheirLastSta
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "emulated_machine_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

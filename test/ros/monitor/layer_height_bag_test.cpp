@@ -70,9 +70,3 @@ TEST(LayerHeightBag, AReplayedPrintHasTheKnownHeights) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "layer_height_bag_test");
-  return RUN_ALL_TESTS();
-}

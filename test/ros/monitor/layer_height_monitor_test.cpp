@@ -357,9 +357,3 @@ TEST_F(LayerHeightMonitorNode, MeasuresTheNextPartOfTheSameToolpath) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "layer_height_monitor_test");
-  return RUN_ALL_TESTS();
-}

@@ -24,10 +24,9 @@
 namespace lamina {
 namespace {
 
+using test::kSameTip;
+using test::kSameToolAxis;
 using test::TfRecording;
-
-constexpr double kSameTip = 1e-3;       // mm: 1e-6 m
-constexpr double kSameToolAxis = 1e-6;  // rad
 
 /// A machine, and the inclined program that it plays.
 struct Case {
@@ -164,7 +163,7 @@ TEST(InclinedPlayback, ProgramsForAnotherHeadAreRefused) {
 
 TEST(InclinedPlayback, ANodeThatCannotLoadItsProgramEndsWithCode1) {
   const std::string command =
-      std::string(LAMINA_NODE) +
+      std::string(LAMINA_PUBLISHER_NODE) +
       " __name:=refused _machine/name:=gantry_45 _load_program:=/nowhere/a.gcode > /dev/null 2>&1";
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
@@ -173,10 +172,3 @@ TEST(InclinedPlayback, ANodeThatCannotLoadItsProgramEndsWithCode1) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "inclined_playback_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -28,14 +28,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameTip = 1e-3;       // mm: 1e-6 m
-constexpr double kSameToolAxis = 1e-6;  // rad
-
 bool isAt(const Eigen::Isometry3d& nozzle, const test::PlayedWaypoint& waypoint) {
   const Point3 tool_axis = nozzle.linear().col(2);
   const double turn =
       std::atan2(tool_axis.cross(waypoint.tool_axis).norm(), tool_axis.dot(waypoint.tool_axis));
-  return (nozzle.translation() - waypoint.tip).norm() <= kSameTip && turn <= kSameToolAxis;
+  return (nozzle.translation() - waypoint.tip).norm() <= test::kSameTip && turn <= test::kSameToolAxis;
 }
 
 /// Slowing down, the tip is within its tolerance of the end before the tool axis is.
@@ -78,9 +75,10 @@ class PlannedLayer {
       const JointState state = fromMessage(joints_->points[i], joints_->joint_names, model.joints());
       const Eigen::Isometry3d pose = model.bedFromNozzle(state.position);
       const auto& at = point.transforms[0].translation;
-      EXPECT_LT((toMillimetres(1.0) * Point3(at.x, at.y, at.z) - pose.translation()).norm(), kSameTip) << i;
+      EXPECT_LT((toMillimetres(1.0) * Point3(at.x, at.y, at.z) - pose.translation()).norm(), test::kSameTip)
+          << i;
       EXPECT_LT(fromMessage(point.transforms[0].rotation).angularDistance(Eigen::Quaterniond(pose.linear())),
-                kSameToolAxis)
+                test::kSameToolAxis)
           << i;
       if (state.velocity.norm() == 0.0) continue;
       // Where the joints are an instant later.
@@ -110,8 +108,9 @@ TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   const PlannedLayer layer(node);
   ros::Publisher toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
   const test::NodeProcess publisher(
-      LAMINA_NODE, {"__ns:=/" + name, "/tf:=/" + name + "/tf", "/tf_static:=/" + name + "/tf_static",
-                    "_machine/name:=" + name, "_speed_up:=5", "_cartesian/rate_hz:=50"});
+      LAMINA_PUBLISHER_NODE,
+      {"__ns:=/" + name, "/tf:=/" + name + "/tf", "/tf_static:=/" + name + "/tf_static",
+       "_machine/name:=" + name, "_speed_up:=5", "_cartesian/rate_hz:=50"});
   ASSERT_TRUE(test::waitUntil([&] { return live.isConnected(); }));
   publishLatched(toolpath, toMessage(played.placed));
   EXPECT_TRUE(test::waitUntil([&] { return hasEnded(played, live); }));
@@ -134,10 +133,3 @@ INSTANTIATE_TEST_SUITE_P(All, KinematicModelPlayback, testing::ValuesIn(kinemati
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "mechanism_playback_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -18,6 +18,9 @@
 
 namespace lamina::test {
 
+constexpr double kSameTip = 1e-3;       ///< how far a tip of tf may be from that of its waypoint [mm]: 1e-6 m
+constexpr double kSameToolAxis = 1e-6;  ///< and a tool axis [rad]
+
 /// Everything said on tf and tf_static of a namespace.
 class TfRecording {
  public:
@@ -50,7 +53,7 @@ class TfRecording {
   /// Whether the nozzle tip is there at last, within a micrometre.
   bool isAt(const Point3& tip) const {
     const auto pose = lastNozzle();
-    return pose && (pose->translation() - tip).norm() < 1e-3;
+    return pose && (pose->translation() - tip).norm() < kSameTip;
   }
 
   void write(rosbag::Bag& bag) const {

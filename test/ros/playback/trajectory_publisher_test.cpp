@@ -289,7 +289,8 @@ TEST(TrajectoryPublisher, PlaysOnWhenRosTimeGoesBack) {
   test::TestClock clock("/clocked");
   Listener listener("clocked");
   const test::NodeProcess player(
-      LAMINA_NODE, clock.followedBy({"/tf:=/clocked/tf", "/tf_static:=/clocked/tf_static", "_speed_up:=50"}));
+      LAMINA_PUBLISHER_NODE,
+      clock.followedBy({"/tf:=/clocked/tf", "/tf_static:=/clocked/tf_static", "_speed_up:=50"}));
   ASSERT_TRUE(await([&] { return listener.isConnected(); }));
   listener.send(toMessage(square()));
   ASSERT_TRUE(await([&] { return !listener.states.empty(); }));
@@ -337,7 +338,7 @@ TEST(TrajectoryPublisher, SurvivesToolpathsItCannotUse) {
 
 TEST(TrajectoryPublisher, EndsWithCode1OnAnUnknownMachine) {
   const std::string command =
-      std::string(LAMINA_NODE) + " __name:=refused _machine/name:=delta > /dev/null 2>&1";
+      std::string(LAMINA_PUBLISHER_NODE) + " __name:=refused _machine/name:=delta > /dev/null 2>&1";
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
@@ -351,10 +352,3 @@ TEST(TrajectoryPublisher, DescribesTheMachineForRviz) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "trajectory_publisher_test");
-  ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -102,7 +102,7 @@ class ProcessCell {
   }
 
   std::unique_ptr<NodeProcess> start() const {
-    return std::make_unique<NodeProcess>(LAMINA_NODE, std::vector<std::string>{"__ns:=" + space_});
+    return std::make_unique<NodeProcess>(LAMINA_IO_NODE, std::vector<std::string>{"__ns:=" + space_});
   }
   bool becomesReady() {
     return waitUntil([&] { return ready.ready && plan.getNumSubscribers() > 0; });
@@ -391,10 +391,3 @@ TEST(ProcessIo, TheEmulatedCouplerIsADevice) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "process_io_test");
-  const ros::NodeHandle keep_alive;
-  return RUN_ALL_TESTS();
-}

@@ -213,10 +213,3 @@ TEST_F(GcodeIncliner, ReportsProgressServesOneAtATimeAndLeavesNoOutputWhenCancel
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "gcode_incliner_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

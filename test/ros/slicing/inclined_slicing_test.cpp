@@ -90,10 +90,3 @@ TEST(InclinedSlicing, TheMachineMayBeThatOfAFile) {
 
 }  // namespace
 }  // namespace lamina
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "inclined_slicing_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -39,7 +39,7 @@ class NodePlugins : public testing::Test {
 std::uint8_t dashedBy(const std::string& space, const std::vector<std::string>& arguments) {
   std::vector<std::string> all{"__ns:=/" + space};
   all.insert(all.end(), arguments.begin(), arguments.end());
-  const lamina::test::NodeProcess slicing(LAMINA_NODE, all);
+  const lamina::test::NodeProcess slicing(LAMINA_SLICING_NODE, all);
   ros::NodeHandle node(space);
   auto client = node.serviceClient<SliceMesh>(lamina::names::kSliceMesh);
   EXPECT_TRUE(client.waitForExistence(ros::Duration(lamina::test::kPatience)));
@@ -72,9 +72,3 @@ TEST_F(NodePlugins, StandAmongTheStrategiesThatARefusalNames) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_plugins_test");
-  return RUN_ALL_TESTS();
-}

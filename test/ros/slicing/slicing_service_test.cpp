@@ -282,10 +282,3 @@ TEST_F(SlicingService, StopsWhenTheGoalIsCancelledAndServesTheNext) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "slicing_service_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

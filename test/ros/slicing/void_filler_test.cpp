@@ -234,10 +234,3 @@ TEST_F(VoidFiller, NeverOverwritesTheProgramItReads) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "void_filler_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

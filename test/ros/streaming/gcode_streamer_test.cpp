@@ -211,7 +211,7 @@ TEST_F(GcodeStreamer, BeginsNothingThatIsAbortedWhileItIsPrepared) {
   int ends[2] = {-1, -1};
   ASSERT_EQ(::pipe(ends), 0);
   ASSERT_EQ(::fcntl(ends[1], F_SETFD, FD_CLOEXEC), 0);
-  const lamina::test::NodeProcess node(LAMINA_NODE, {"__ns:=/prepared", "_port:=" + port});
+  const lamina::test::NodeProcess node(LAMINA_STREAMER_NODE, {"__ns:=/prepared", "_port:=" + port});
   Client client("/prepared/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   MachineState::ConstPtr state;
@@ -331,8 +331,8 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   const TestMachine machine(2.0, {}, port);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execl(LAMINA_NODE, LAMINA_NODE, "__ns:=/terminated", ("_port:=" + port).c_str(), "_baud:=57600",
-            static_cast<char*>(nullptr));
+    ::execl(LAMINA_STREAMER_NODE, LAMINA_STREAMER_NODE, "__ns:=/terminated", ("_port:=" + port).c_str(),
+            "_baud:=57600", static_cast<char*>(nullptr));
     ::_exit(127);
   }
   Client client("/terminated/stream_program", true);
@@ -394,8 +394,8 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   const std::string port = kPort + "_corrected";
   const TestMachine machine(0.0, {}, port);
   const lamina::test::NodeProcess node(
-      LAMINA_NODE, {"__ns:=/corrected", "_port:=" + port, "_corrections/use:=true", "_loop/wait_s:=1",
-                    "_corrections/folder:=" + folder_.file("corrections")});
+      LAMINA_STREAMER_NODE, {"__ns:=/corrected", "_port:=" + port, "_corrections/use:=true",
+                             "_loop/wait_s:=1", "_corrections/folder:=" + folder_.file("corrections")});
   Client client("/corrected/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   ros::Publisher toolpath = node_.advertise<lamina_msgs::Toolpath>("/corrected/toolpath", 1, true);
@@ -448,14 +448,14 @@ TEST_F(GcodeStreamer, GoesOnWithTheJobOfANodeThatWasKilled) {
                                               "_stream/journal:=" + folder_.file("job.progress")};
   Client client("/killed/stream_program", true);
   {
-    lamina::test::NodeProcess node(LAMINA_NODE, arguments);
+    lamina::test::NodeProcess node(LAMINA_STREAMER_NODE, arguments);
     ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
     client.sendGoal(goal);
     EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 100; }));
     EXPECT_EQ(node.end(SIGKILL), -1);
   }
   EXPECT_LT(machine.commands().size(), commands.size());
-  lamina::test::NodeProcess node(LAMINA_NODE, arguments);
+  lamina::test::NodeProcess node(LAMINA_STREAMER_NODE, arguments);
   goal.resume = true;
   Client again("/killed/stream_program", true);
   ASSERT_TRUE(again.waitForServer(ros::Duration(kPatience)));
@@ -466,10 +466,3 @@ TEST_F(GcodeStreamer, GoesOnWithTheJobOfANodeThatWasKilled) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "gcode_streamer_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}

@@ -185,10 +185,3 @@ TEST_F(StartupSequence, RefusesAProgramThatDidNotComeWhole) {
 }
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "startup_test");
-  const ros::NodeHandle keeps_ros_started;
-  return RUN_ALL_TESTS();
-}
