@@ -13,10 +13,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "network/former_port.hpp"
 #include "network/loopback.hpp"
 #include "node_plugins.hpp"
 
@@ -98,7 +100,10 @@ void runNode(int argc, char** argv, const NodeRun& run, const std::function<void
   try {
     stayOnLoopback(argc, argv);
     ros::init(argc, argv, run.name, ros::init_options::NoSigintHandler);
+    std::optional<HeldPort> former;
+    if (const auto port = formerPort()) former.emplace(*port);
     const ros::NodeHandle node;
+    former.reset();
     guardPorts();
     withdrawLoggerList();
     stopOnShutdownCall();

@@ -107,7 +107,7 @@ TEST(ManualControl, RefusesWhatIsNoShortStepOfAKnownAxis) {
   EXPECT_EQ(held.jogs({"joints", "rail", -0.01, 0.1}, 1.0).result, CommandResult::Accepted);
 }
 
-TEST(ManualControl, NeedsModeStateZoneAndDriver) {
+TEST(ManualControl, NeedsModeStateZoneDriverAndNoEmergencyStop) {
   const auto answerWhere = [](const auto& change) {
     ManualConditions found = readyByHand();
     change(found);
@@ -121,18 +121,21 @@ TEST(ManualControl, NeedsModeStateZoneAndDriver) {
                    CommandResult::NotInThisState, "Aborted"));
   EXPECT_TRUE(says(answerWhere([](Found& found) { found.is_zone_taken = true; }), CommandResult::GuardFailed,
                    "in the zone"));
+  EXPECT_TRUE(says(answerWhere([](Found& found) { found.is_emergency_stopped = true; }),
+                   CommandResult::GuardFailed, "alarm 1207"));
   EXPECT_TRUE(says(answerWhere([](Found& found) { found.has_driver = false; }), CommandResult::GuardFailed,
                    "trajectory_driver"));
 }
 
 TEST(ManualControl, EndsLeaseAndStepWhereTheyAreNotAllowedAnyLonger) {
-  for (int what = 0; what < 4; ++what) {
+  for (int what = 0; what < 5; ++what) {
     HeldByAnna held;
     ASSERT_EQ(held.jogs(kDown, 1.0).result, CommandResult::Accepted);
     if (what == 0) held.found.mode = kProduction;
     if (what == 1) held.found.state = UnitState::Aborting;
     if (what == 2) held.found.is_zone_taken = true;
     if (what == 3) held.found.has_driver = false;
+    if (what == 4) held.found.is_emergency_stopped = true;
     EXPECT_NE(held.control.follow(held.found, after(1.02)), "") << what;
     EXPECT_FALSE(held.control.motion()) << what;
     EXPECT_EQ(held.control.holder(), "") << what;

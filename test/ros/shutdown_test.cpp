@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "network/former_port.hpp"
 #include "ros/wait_until.hpp"
 
 namespace {
@@ -80,6 +81,15 @@ TEST(RunNode, OffersNoListOfLoggersThatWouldCrashIt) {
   const int exit_code = exitCodeOfNode({"listless"}, [] {
     if (ros::service::exists("~get_loggers", false) || !ros::service::exists("~set_logger_level", false))
       throw lamina::DeviceError("of both logger services only the one that sets a level was expected");
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
+TEST(RunNode, IsKnownToTheMasterByItsPort) {
+  const int exit_code = exitCodeOfNode({"known"}, [] {
+    if (lamina::formerPort() != ros::XMLRPCManager::instance()->getServerPort())
+      throw lamina::DeviceError(
+          "the port of this node was expected, which the next of its name is not to get");
   });
   EXPECT_EQ(exit_code, 0);
 }

@@ -56,6 +56,13 @@ TEST_F(WatchedJob, HasLostNothingWhileAllIsAsItWas) {
   EXPECT_EQ(found(), "");
 }
 
+TEST_F(WatchedJob, ReadsCommandsWithoutBlanks) {
+  report(90.0, 90.0);
+  watch_.onSent("M140S60");
+  reportFor(10.0, 75.0, 60.0);
+  EXPECT_EQ(found(), "") << reason();
+}
+
 TEST_F(WatchedJob, LosesItsBedWhenItGetsColdUnderItsTarget) {
   report(90.0, 90.0);
   report(87.0, 90.0);

@@ -36,9 +36,10 @@ struct ManualCaller {
 struct ManualConditions {
   int mode = kProduction;
   UnitState state = UnitState::Stopped;
-  bool is_zone_taken = false;       ///< whether the PLC reports another robot in the zone
-  bool has_driver = false;          ///< whether a node that jogs has been heard of
-  std::vector<std::string> joints;  ///< that it moves
+  bool is_zone_taken = false;         ///< whether the PLC reports another robot in the zone
+  bool is_emergency_stopped = false;  ///< whether the alarm of an emergency stop (1207) is there
+  bool has_driver = false;            ///< whether a node that jogs has been heard of
+  std::vector<std::string> joints;    ///< that it moves
 };
 
 /// Moving a machine by hand in the mode Manual: by one holder of a lease at a time, in short steps, while the

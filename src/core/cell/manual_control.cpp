@@ -30,6 +30,10 @@ CommandAnswer againstManual(const ManualConditions& found) {
   if (found.state != UnitState::Stopped && found.state != UnitState::Idle)
     return {CommandResult::NotInThisState, std::string("the unit is in ") + toString(found.state) +
                                                "; expected Stopped or Idle to move the machine by hand"};
+  if (found.is_emergency_stopped)
+    return {CommandResult::GuardFailed,
+            "the PLC has reported the emergency stop pressed; expected it released, and alarm 1207 "
+            "acknowledged, to move the machine by hand"};
   if (found.is_zone_taken)
     return {CommandResult::GuardFailed,
             "the PLC reports a robot in the zone; expected it free to move the machine by hand"};

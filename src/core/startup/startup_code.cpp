@@ -56,7 +56,10 @@ std::vector<std::string> vacuumOffCommands(const StartupSettings& settings) {
   return commands;
 }
 
-std::string codeOf(const std::string& command) { return command.substr(0, command.find(' ')); }
+std::string codeOf(const std::string& command) {
+  const bool is_code = command.size() > 1 && command[1] >= '0' && command[1] <= '9';
+  return command.substr(0, is_code ? command.find_first_not_of("0123456789.", 1) : command.find(' '));
+}
 
 std::optional<double> bedTargetIn(const std::string& command) {
   const auto target_c = wordValue(command, 'S');

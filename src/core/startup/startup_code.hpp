@@ -29,7 +29,7 @@ std::string vacuumOn(const StartupSettings& settings);
 /// The commands that switch zones off, each trimmed; empty if none are configured.
 std::vector<std::string> vacuumOffCommands(const StartupSettings& settings);
 
-/// The code of a command: "M140" of "M140 S60".
+/// The code of a command: "M140" of "M140 S60" and of "M140S60"; its first word if that is another name.
 std::string codeOf(const std::string& command);
 
 /// The target that M140 or M190 sets [degC]; nothing if it names none.

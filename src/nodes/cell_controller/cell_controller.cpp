@@ -30,6 +30,7 @@ constexpr char kLocalStart[] = "local_start_due";  // there, too
 constexpr char kPlc[] = "plc";
 constexpr char kQueue[] = "queue";
 constexpr double kFeedInterval = 1.0;  // [s] between two tries of a speed that was refused
+constexpr int kEmergencyStopPressed = 1207;
 constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
@@ -169,6 +170,8 @@ ManualConditions CellController::unitByHand() const {
   found.state = cell_->status().state;
   const PlcInterlocks plc = plc_.watch().interlocks(clock_.now());
   found.is_zone_taken = plc.is_alive && plc.is_zone_taken;
+  for (const ActiveAlarm& alarm : cell_->status().alarms.all())
+    found.is_emergency_stopped = found.is_emergency_stopped || alarm.id == kEmergencyStopPressed;
   return found;
 }
 

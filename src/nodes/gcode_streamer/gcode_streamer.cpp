@@ -182,9 +182,10 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   StreamStatus status;
   try {
     status = streamProgram(dry ? dry->program() : program, start, goal.execution);
-  } catch (const Error& error) {
+  } catch (...) {
     // One that was given up has sent nothing, and found nothing out about the machine.
-    if (error.code() != ErrorCode::Cancelled) status.failure = currentFailure();
+    const Failure why = currentFailure();
+    if (why.code != ErrorCode::Cancelled) status.failure = why;
     startup_.endJob(program, status);
     throw;
   }
@@ -253,6 +254,11 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     is_preparing_ = false;
     if (is_hold_due_) session->pause();
   }
+  // However it ends: a session that is left behind would go on with nobody to report it, and keep the port.
+  const std::shared_ptr<void> end(nullptr, [this](void*) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    session_.reset();
+  });
   if (const auto why = cancellation()) session->abort(*why);
   ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(), static_cast<unsigned long>(sent.lines()),
            settings_.port.name.c_str());
@@ -260,15 +266,12 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   if (!pulses_.isHeard())
     ROS_WARN("nobody listens at %s: no watch stops the machine if this node dies",
              settings_.guard_socket.c_str());
-  StreamStatus status = follow(*session, [&](const StreamStatus& now) {
+  return follow(*session, [&](const StreamStatus& now) {
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) reports_.tell(*corrected);
     if (recorded) reports_.tell(*recorded, now.layer);
   });
-  const std::lock_guard<std::mutex> lock(mutex_);
-  session_.reset();
-  return status;
 }
 
 /// Nobody would see what the machine does, or stop it.

@@ -52,13 +52,11 @@ class SetIoDevice final : public ProcessDevice {
     for (std::size_t i = 0; i < raw.size(); ++i) {
       if (raw[i] == sent_[i]) continue;
       const OutputChannel& channel = table_.channels[i];
-      lamina_msgs::SetIo call;
-      call.request.fun = isSwitch(channel.quantity) ? kDigital : kAnalogue;
-      call.request.pin = pinOf(channel);
-      call.request.state = static_cast<float>(raw[i]);
-      if (!client_.call(call) || !call.response.success)
+      if (!set(channel, raw[i])) {
+        setSafeValues();
         throw Disconnected(table_.device.name + ": " + node_.resolveName(table_.device.address) +
                            " does not set pin " + channel.write + " to " + numberText(raw[i]));
+      }
       sent_[i] = raw[i];
     }
     if (!client_.isValid())
@@ -70,6 +68,19 @@ class SetIoDevice final : public ProcessDevice {
   void close() override { client_.shutdown(); }
 
  private:
+  bool set(const OutputChannel& channel, double raw) {
+    lamina_msgs::SetIo call;
+    call.request.fun = isSwitch(channel.quantity) ? kDigital : kAnalogue;
+    call.request.pin = pinOf(channel);
+    call.request.state = static_cast<float>(raw);
+    return client_.call(call) && call.response.success;
+  }
+
+  /// Where one pin cannot be set, others can: no beam stays on for the sake of a fan.
+  void setSafeValues() {
+    for (const OutputChannel& channel : table_.channels) set(channel, rawOf(channel, channel.safe));
+  }
+
   ros::NodeHandle node_;
   DeviceTable table_;
   ros::ServiceClient client_;
@@ -107,10 +118,21 @@ class TopicDevice final : public ProcessDevice {
  private:
   static constexpr std::uint32_t kQueue = 100;
 
+  /// Where one listener is gone, others are there: no beam stays on for the sake of a fan.
   void requireListeners() const {
-    for (const ros::Publisher& publisher : publishers_)
-      if (publisher.getNumSubscribers() == 0)
-        throw Disconnected(table_.device.name + ": nobody listens to " + publisher.getTopic());
+    for (const ros::Publisher& publisher : publishers_) {
+      if (publisher.getNumSubscribers() > 0) continue;
+      publishSafeValues();
+      throw Disconnected(table_.device.name + ": nobody listens to " + publisher.getTopic());
+    }
+  }
+
+  void publishSafeValues() const {
+    for (std::size_t i = 0; i < publishers_.size(); ++i) {
+      std_msgs::Float64 message;
+      message.data = rawOf(table_.channels[i], table_.channels[i].safe);
+      publishers_[i].publish(message);
+    }
   }
 
   DeviceTable table_;

@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <thread>
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
@@ -105,6 +107,11 @@ class TextEnd final : public DeviceEnd {
     const std::lock_guard<std::mutex> lock(mutex_);
     return lines_;
   }
+  /// Neither takes nor answers lines of the first channel from now on.
+  void refuseFirst() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    refuses_first_ = true;
+  }
 
  private:
   std::string take(std::string& received) {
@@ -112,7 +119,9 @@ class TextEnd final : public DeviceEnd {
     for (std::size_t end; (end = received.find('\n')) != std::string::npos; received.erase(0, end + 1)) {
       const std::lock_guard<std::mutex> lock(mutex_);
       lines_.push_back(received.substr(0, end));
-      arrived_.at(received[1] == '3' ? 0 : 1) = std::stod(received.substr(4));
+      const bool is_first = received[1] == '3';
+      if (is_first && refuses_first_) continue;
+      arrived_.at(is_first ? 0 : 1) = std::stod(received.substr(4));
       answers += "ok\n";
     }
     return answers;
@@ -121,6 +130,7 @@ class TextEnd final : public DeviceEnd {
   std::mutex mutex_;
   std::vector<double> arrived_ = {0.0, 0.0};
   std::vector<std::string> lines_;
+  bool refuses_first_ = false;
   test::TtyDevice tty_{[this](std::string& received) { return take(received); }};
 };
 
@@ -247,6 +257,23 @@ TEST(ProcessDevice, LinesAreSentWhenTheyChange) {
   EXPECT_EQ(lines[1], "M4 S0 ; second");
   // The first may have been repeated on a slow host.
   EXPECT_EQ(lines.back(), "M4 S12.346 ; second");
+}
+
+TEST(ProcessDevice, AChannelThatIsRefusedLeavesNoOtherOneOn) {
+  TextEnd end;
+  DeviceTable table = end.table();
+  table.channels[1].safe = 3.0;
+  const auto device = makeProcessDevice(table);
+  device->open();
+  device->exchange({1.0, 7.0});
+  ASSERT_EQ(end.arrived(), (std::vector<double>{1.0, 7.0}));
+  end.refuseFirst();
+  EXPECT_THROW(device->exchange({2.0, 7.0}), Disconnected);
+  // Nobody waits for what is answered to it.
+  const SteadyClock clock;
+  for (const double until_s = clock.now() + 10.0; end.arrived()[1] != 3.0 && clock.now() < until_s;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(end.arrived(), (std::vector<double>{1.0, 3.0}));
 }
 
 std::string refusalOf(const DeviceTable& table) {

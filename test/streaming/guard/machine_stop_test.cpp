@@ -51,6 +51,16 @@ TEST(UrgentStop, FitsIntoAReceiveBuffer) {
     EXPECT_LT(urgentStopOf(machineWith(firmware)).size(), 127U) << firmware;
 }
 
+TEST(UrgentStop, WaitsForNoProgramToBeRead) {
+  const std::string program = inTemporary("stop_urgent.gcode");
+  std::ofstream(program) << "M106 P2 S255\nM141 S60\nG1 X1\n";
+  for (const char* firmware : {"marlin", "klipper", "reprapfirmware", "grbl"}) {
+    MachinePulse machine = machineWith(firmware);
+    machine.program = program;
+    EXPECT_EQ(urgentStopOf(machine), urgentStopOf(machineWith(firmware))) << firmware;
+  }
+}
+
 TEST(MachineStop, IsConfirmedByTheMachine) {
   const LeftMachine machine("stop_confirmed");
   machine.heat();

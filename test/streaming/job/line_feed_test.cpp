@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
+
+#include "lamina/base/clock.hpp"
+
 namespace lamina {
 namespace {
 
@@ -56,6 +60,57 @@ TEST(LineFeed, RefusesLinesNeverSentOrForgotten) {
   EXPECT_FALSE(feed.rewind(1));
   EXPECT_TRUE(feed.rewind(4990));
   EXPECT_FALSE(feed.rewind(5002));
+}
+
+/// A disk that stops to answer after some lines, until it is let go on.
+class StuckDisk {
+ public:
+  explicit StuckDisk(int lines) : lines_(lines) {}
+  ~StuckDisk() { goes_on_.set_value(); }
+
+  LineFeed::Source lines() {
+    return [left = lines_, wait = goes_on_.get_future().share()]() mutable -> std::optional<ProgramLine> {
+      if (left-- > 0) return ProgramLine{"G4 P1", -1};
+      wait.wait();
+      return std::nullopt;
+    };
+  }
+
+ private:
+  int lines_;
+  std::promise<void> goes_on_;
+};
+
+TEST(ReadAhead, GivesAllLinesAndThenNone) {
+  LineFeed::Source source = readAhead(
+      [left = 1000]() mutable -> std::optional<ProgramLine> {
+        if (left == 0) return std::nullopt;
+        return ProgramLine{"L" + std::to_string(--left), -1};
+      },
+      [] { return false; }, 60.0);
+  for (int left = 999; left >= 0; --left) ASSERT_EQ(source()->command, "L" + std::to_string(left));
+  EXPECT_FALSE(source());
+  EXPECT_FALSE(source());
+}
+
+TEST(ReadAhead, EndsWhereWhatIsReadWasChanged) {
+  LineFeed::Source source = readAhead([] { return ProgramLine{"G4 P1", -1}; }, [] { return true; }, 60.0);
+  EXPECT_FALSE(source());
+}
+
+TEST(ReadAhead, NeitherWaitsNorEndsWithADiskThatDoesNotAnswer) {
+  StuckDisk disk(200);
+  const SteadyClock clock;
+  const double begin_s = clock.now();
+  {
+    LineFeed::Source source = readAhead(
+        disk.lines(), [] { return false; }, 0.05);
+    // The first 128 lines are read as one.
+    for (int i = 0; i < 128; ++i) ASSERT_TRUE(source()) << i;
+    EXPECT_FALSE(source());
+    EXPECT_FALSE(source()) << "for good";
+  }
+  EXPECT_LT(clock.now() - begin_s, 30.0) << "it is not waited for";
 }
 
 }  // namespace

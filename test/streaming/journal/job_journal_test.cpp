@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "streaming/journal/journal_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -85,6 +87,23 @@ TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
     EXPECT_LE(known.taken_through + 8, std::max<std::uint64_t>(sent - 1, 8)) << "eight oks may be others'";
     EXPECT_LE(known.sent_through, 10000U);
   }
+}
+
+TEST(JobJournal, IsGivenUpIfTheDiskDoesNotAnswer) {
+  std::promise<void> disk;
+  JobProgress start;
+  start.sent_through = 256;
+  const SteadyClock clock;
+  const double begin_s = clock.now();
+  {
+    JournalWriter writer([answers = disk.get_future().share()](const JobProgress&) { answers.wait(); }, start,
+                         10000, 0.05);
+    writer.record(statusAt(100, 90), 0.0);
+    EXPECT_THROW(writer.record(statusAt(300, 290), 0.1), FileError);
+    writer.record(statusAt(10000, 9000), 0.2);  // the job goes on
+  }
+  EXPECT_LT(clock.now() - begin_s, 30.0) << "the disk is not waited for";
+  disk.set_value();
 }
 
 TEST(JobJournal, KeepsWhatWasKnownOfAJobThatDidNotComplete) {

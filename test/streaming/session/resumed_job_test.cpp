@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "lamina/base/error.hpp"
 #include "streaming/emulator/simulated_link.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -208,6 +211,22 @@ TEST(ResumedJob, IsRefusedWhereMoreOrLessWasTakenThanIsKnown) {
   const auto machine = killedJob(program);
   machine->known.taken_through = machine->known.sent_through = 90;
   expectRefused(*machine, "no line beyond 90 was sent");
+}
+
+TEST(ResumedJob, IsRefusedWhereItsProgramIsGoneMeanwhile) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("part.gcode");
+  std::ofstream(path) << test::spiralProgram(300);
+  const auto machine = killedJob(StreamableProgram::fromFile(path));
+  const auto ran = machine->ran();
+  machine->resume();
+  std::filesystem::remove(path);
+  machine->runSteps(100'000);
+  const StreamStatus& status = machine->streamer->status();
+  EXPECT_EQ(status.state, PackmlState::Aborted);
+  EXPECT_EQ(status.failure.code, ErrorCode::FileError);
+  EXPECT_NE(status.failure.message.find(path), std::string::npos) << status.failure.message;
+  EXPECT_EQ(machine->ran(), ran) << "nothing is run, and nothing stopped";
 }
 
 TEST(ResumedJob, GoesOnWhereANameWasDamagedOnItsWay) {

@@ -18,7 +18,7 @@ struct MachineStopReport {
 
 /// The bytes that are sent first, without line numbers and without waiting for answers, so that firmware that
 /// waits for a temperature also stops, as soon as it reads them: beam off, heaters off, and the end of all
-/// motions if the firmware has a command for it; a feed hold for grbl.
+/// motions if the firmware has a command for it; a feed hold for grbl. The program is not read for them.
 /// @param machine  with unknown firmware it is treated as Marlin
 std::string urgentStopOf(const MachinePulse& machine);
 

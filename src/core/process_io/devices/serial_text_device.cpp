@@ -46,12 +46,17 @@ class SerialTextDevice final : public ProcessDevice {
   }
 
   std::vector<double> exchange(const std::vector<double>& raw) override {
-    for (std::size_t i = 0; i < raw.size(); ++i) {
-      std::string line = table_.channels[i].write;
-      line.replace(line.find(kPlace), kPlace.size(), trimmedDecimals(raw[i], 3));
-      if (line == sent_[i].line && clock_.now() - sent_[i].time_s < kRepeat) continue;
-      say(line);
-      sent_[i] = {line, clock_.now()};
+    try {
+      for (std::size_t i = 0; i < raw.size(); ++i) {
+        const std::string line = lineOf(table_.channels[i], raw[i]);
+        if (line == sent_[i].line && clock_.now() - sent_[i].time_s < kRepeat) continue;
+        say(line);
+        sent_[i] = {line, clock_.now()};
+      }
+    } catch (const Disconnected&) {
+      saySafeValues();
+      close();
+      throw;
     }
     return {};
   }
@@ -71,6 +76,27 @@ class SerialTextDevice final : public ProcessDevice {
     double time_s = 0.0;
   };
 
+  static std::string lineOf(const OutputChannel& channel, double raw) {
+    std::string line = channel.write;
+    line.replace(line.find(kPlace), kPlace.size(), trimmedDecimals(raw, 3));
+    return line;
+  }
+
+  /// A device that does not take one line may take others: no beam stays on for the sake of a fan.
+  void saySafeValues() {
+    if (!transport_ || !closed_.empty()) return;
+    for (const OutputChannel& channel : table_.channels)
+      transport_->send(lineOf(channel, rawOf(channel, channel.safe)) + "\n");
+    const double give_up_s = clock_.now() + table_.device.timeout_s;
+    while (transport_->isSending() && closed_.empty() && clock_.now() < give_up_s)
+      runFor(give_up_s - clock_.now());
+  }
+
+  void runFor(double longest_s) {
+    context_.restart();
+    context_.run_one_for(std::chrono::microseconds(static_cast<long>(1e6 * longest_s) + 1));
+  }
+
   void say(const std::string& line) {
     if (!transport_) throw Disconnected(table_.device.name + " is not open");
     received_.clear();
@@ -80,15 +106,13 @@ class SerialTextDevice final : public ProcessDevice {
     while (transport_->isSending() || (!answer.empty() && received_.find(answer) == std::string::npos)) {
       const double left_s = give_up_s - clock_.now();
       if (!closed_.empty() || left_s <= 0.0) lose(line);
-      context_.restart();
-      context_.run_one_for(std::chrono::microseconds(static_cast<long>(1e6 * left_s) + 1));
+      runFor(left_s);
     }
   }
 
-  [[noreturn]] void lose(const std::string& line) {
+  [[noreturn]] void lose(const std::string& line) const {
     const std::string why =
         closed_.empty() ? "no answer within " + numberText(table_.device.timeout_s) + " s" : closed_;
-    close();
     throw Disconnected(table_.device.name + " at " + table_.device.address + " does not take '" + line +
                        "': " + why);
   }

@@ -80,18 +80,22 @@ void add(std::vector<std::string>& commands, const std::vector<std::string>& mor
   commands.insert(commands.end(), more.begin(), more.end());
 }
 
+std::vector<std::string> pacedStop(const OkPacedFirmware& firmware, const UsedOutputs& outputs,
+                                   const MachinePulse& machine) {
+  std::vector<std::string> commands = outputs.beamOff();
+  if (!machine.keeps_heaters_on) {
+    add(commands, firmware.switchOff(""));
+    add(commands, outputs.heatOff());
+  }
+  add(commands, outputs.airOff());
+  return commands;
+}
+
 std::vector<std::string> stopCommandsOf(const MachinePulse& machine) {
   const UsedOutputs outputs = outputsOf(machine.program);
   const Protocol protocol = protocolOf(machine.firmware);
-  if (const auto paced = std::dynamic_pointer_cast<const OkPacedFirmware>(protocol)) {
-    std::vector<std::string> commands = outputs.beamOff();
-    if (!machine.keeps_heaters_on) {
-      add(commands, paced->switchOff(""));
-      add(commands, outputs.heatOff());
-    }
-    add(commands, outputs.airOff());
-    return commands;
-  }
+  if (const auto paced = std::dynamic_pointer_cast<const OkPacedFirmware>(protocol))
+    return pacedStop(*paced, outputs, machine);
   const auto marlin = std::dynamic_pointer_cast<const MarlinFirmware>(protocol);
   return safeStop(marlin ? *marlin : MarlinFirmware(), outputs, settingsFor(machine));
 }
@@ -237,9 +241,10 @@ MachineStopReport confirmed(const MachinePulse& machine) {
 std::string urgentStopOf(const MachinePulse& machine) {
   if (isGrbl(machine.firmware)) return kFeedHold;
   const Protocol protocol = protocolOf(machine.firmware);
-  if (std::dynamic_pointer_cast<const OkPacedFirmware>(protocol)) {
+  // A program of a gigabyte takes long to be read, and its disk may not answer at all.
+  if (const auto paced = std::dynamic_pointer_cast<const OkPacedFirmware>(protocol)) {
     std::string text;
-    for (const std::string& command : stopCommandsOf(machine)) text += command + '\n';
+    for (const std::string& command : pacedStop(*paced, anyBeam(), machine)) text += command + '\n';
     return text;
   }
   const auto marlin = std::dynamic_pointer_cast<const MarlinFirmware>(protocol);

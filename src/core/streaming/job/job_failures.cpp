@@ -12,8 +12,9 @@ std::optional<Failure> shortfall(std::uint64_t lines_read, const JobRecord& reco
     return Failure{revised->failure().code, revised->failure().message + record.whereItStands()};
   if (lines_read >= record.status.lines_total) return std::nullopt;
   return Failure{ErrorCode::InvalidProgram,
-                 "the program was changed while it was streamed: it ended after line " +
-                     std::to_string(lines_read) + " of " + std::to_string(record.status.lines_total)};
+                 "the program ended after line " + std::to_string(lines_read) + " of " +
+                     std::to_string(record.status.lines_total) +
+                     " while it was streamed: it was changed, or its disk did not answer"};
 }
 
 Failure fallenSilent(const std::string& duration, const JobRecord& record) {

@@ -3,6 +3,7 @@
 #include "streaming/job/line_feed.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -19,34 +20,38 @@
 namespace lamina {
 namespace {
 
-/// Reads a program's file a thousand lines ahead in a thread of its own, so that a slow disk or network
-/// folder does not stop the machine. It ends early if the file is changed, since its new content was not
-/// checked.
+/// Reads lines a thousand ahead in a thread of its own.
 class ReadAhead {
  public:
-  /// @throws FileError if the file is gone
-  explicit ReadAhead(const StreamableProgram& program);
+  ReadAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s);
   ~ReadAhead();
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// The next line; waits for it if necessary. None at the end.
+  /// The next line; waits for it if necessary. None at the end, and from when it was waited for in vain.
   std::optional<ProgramLine> next();
 
  private:
   using Batch = std::vector<ProgramLine>;
 
-  void run();
-  Batch readBatch();
-  bool hand(Batch batch);
+  /// What the thread works on. It outlives the reader if the disk does not answer, since a thread that waits
+  /// for a disk cannot be ended.
+  struct Shared {
+    LineFeed::Source source;           ///< of the thread alone
+    std::function<bool()> hasChanged;  ///< of the thread alone
+    std::mutex mutex;                  ///< of everything below
+    std::condition_variable changed;
+    std::deque<Batch> read;
+    bool is_over = false;  ///< nothing more is read, or wanted
+    bool has_ended = false;
+  };
 
-  StreamableProgram program_;
-  ProgramCursor cursor_;
-  MotionTime time_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<Batch> read_;
-  bool is_over_ = false;  ///< nothing more is read, or wanted
+  static void run(Shared& shared);
+  static Batch readBatch(Shared& shared);
+  static bool hand(Shared& shared, Batch batch);
+
+  std::shared_ptr<Shared> shared_;
+  std::chrono::duration<double> patience_;
   Batch current_;
   std::size_t given_ = 0;  ///< lines of the current batch
   std::thread thread_;
@@ -54,70 +59,89 @@ class ReadAhead {
 
 constexpr std::size_t kBatchLines = 128;
 constexpr std::size_t kBatches = 8;
+constexpr double kLongestRead = 30.0;  // s; disks that sleep need ten
+constexpr std::chrono::seconds kLongestEnd{1};
 
-ReadAhead::ReadAhead(const StreamableProgram& program) : program_(program), cursor_(program.open()) {
-  thread_ = std::thread([this] { run(); });
+ReadAhead::ReadAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s)
+    : shared_(std::make_shared<Shared>()), patience_(patience_s) {
+  shared_->source = std::move(source);
+  shared_->hasChanged = std::move(hasChanged);
+  thread_ = std::thread([shared = shared_] { run(*shared); });
 }
 
 ReadAhead::~ReadAhead() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_over_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
+  std::unique_lock<std::mutex> lock(shared_->mutex);
+  shared_->is_over = true;
+  shared_->changed.notify_all();
+  // Whoever stops a machine must not wait for a disk.
+  const bool has_ended = shared_->changed.wait_for(lock, kLongestEnd, [this] { return shared_->has_ended; });
+  lock.unlock();
+  if (has_ended)
+    thread_.join();
+  else
+    thread_.detach();
 }
 
 std::optional<ProgramLine> ReadAhead::next() {
   if (given_ == current_.size()) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return !read_.empty() || is_over_; });
-    if (read_.empty()) return std::nullopt;
-    current_ = std::move(read_.front());
-    read_.pop_front();
+    std::unique_lock<std::mutex> lock(shared_->mutex);
+    const auto isKnown = [this] { return !shared_->read.empty() || shared_->is_over; };
+    if (!shared_->changed.wait_for(lock, patience_, isKnown)) shared_->is_over = true;
+    if (shared_->read.empty()) return std::nullopt;
+    current_ = std::move(shared_->read.front());
+    shared_->read.pop_front();
     given_ = 0;
     lock.unlock();
-    changed_.notify_all();
+    shared_->changed.notify_all();
   }
   return std::move(current_[given_++]);
 }
 
-void ReadAhead::run() {
+void ReadAhead::run(Shared& shared) {
   while (true) {
-    Batch batch = readBatch();
+    Batch batch = readBatch(shared);
     // Read before it was looked at, so that nothing unchecked is in it.
-    const bool is_last = batch.size() < kBatchLines || program_.hasChanged();
-    if (program_.hasChanged()) batch.clear();
-    if (!hand(std::move(batch)) || is_last) break;
+    const bool is_last = batch.size() < kBatchLines || shared.hasChanged();
+    if (shared.hasChanged()) batch.clear();
+    if (!hand(shared, std::move(batch)) || is_last) break;
   }
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_over_ = true;
+    const std::lock_guard<std::mutex> lock(shared.mutex);
+    shared.is_over = shared.has_ended = true;
   }
-  changed_.notify_all();
+  shared.changed.notify_all();
 }
 
-ReadAhead::Batch ReadAhead::readBatch() {
+ReadAhead::Batch ReadAhead::readBatch(Shared& shared) {
   Batch batch;
   batch.reserve(kBatchLines);
   while (batch.size() < kBatchLines) {
-    auto line = cursor_.next();
+    auto line = shared.source();
     if (!line) break;
-    line->seconds = time_.secondsOf(line->command);
     batch.push_back(std::move(*line));
   }
   return batch;
 }
 
 /// @return false if no more is wanted
-bool ReadAhead::hand(Batch batch) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return read_.size() < kBatches || is_over_; });
-  if (is_over_) return false;
-  if (!batch.empty()) read_.push_back(std::move(batch));
+bool ReadAhead::hand(Shared& shared, Batch batch) {
+  std::unique_lock<std::mutex> lock(shared.mutex);
+  shared.changed.wait(lock, [&shared] { return shared.read.size() < kBatches || shared.is_over; });
+  if (shared.is_over) return false;
+  if (!batch.empty()) shared.read.push_back(std::move(batch));
   lock.unlock();
-  changed_.notify_all();
+  shared.changed.notify_all();
   return true;
+}
+
+/// Read where it is asked for.
+LineFeed::Source linesOf(const StreamableProgram& program) {
+  return [cursor = std::make_shared<ProgramCursor>(program.open()),
+          time = std::make_shared<MotionTime>()]() -> std::optional<ProgramLine> {
+    auto line = cursor->next();
+    if (line) line->seconds = time->secondsOf(line->command);
+    return line;
+  };
 }
 
 // Far more than any window: firmware asks for lines it has just missed.
@@ -125,16 +149,16 @@ constexpr std::size_t kRememberedLines = 1024;
 
 }  // namespace
 
+LineFeed::Source readAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s) {
+  return [ahead = std::make_shared<ReadAhead>(std::move(source), std::move(hasChanged), patience_s)] {
+    return ahead->next();
+  };
+}
+
 LineFeed::Source sourceOf(const StreamableProgram& program) {
-  if (program.isHeld()) {
-    return [cursor = std::make_shared<ProgramCursor>(program.open()),
-            time = std::make_shared<MotionTime>()]() -> std::optional<ProgramLine> {
-      auto line = cursor->next();
-      if (line) line->seconds = time->secondsOf(line->command);
-      return line;
-    };
-  }
-  return [ahead = std::make_shared<ReadAhead>(program)] { return ahead->next(); };
+  if (program.isHeld()) return linesOf(program);
+  return readAhead(
+      linesOf(program), [program] { return program.hasChanged(); }, kLongestRead);
 }
 
 LineFeed::Source restOf(const StreamableProgram& program, std::uint64_t lines_left_out,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
@@ -16,47 +17,71 @@ constexpr std::uint64_t kUncertainOks = 8;  // an ok does not say what it is for
 constexpr double kAheadTime = 0.2;          // s
 constexpr double kMeasuringTime = 0.02;     // s: the faster the rate is known, the fewer waits at the start
 constexpr double kAcknowledgementInterval = 0.1;  // s
+constexpr double kLongestWrite = 10.0;            // s
 
 }  // namespace
 
 JournalWriter::JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total)
-    : file_(std::move(file)),
-      lines_total_(lines_total),
+    : JournalWriter([file = std::make_shared<ProgressFile>(std::move(file))](
+                        const JobProgress& progress) { file->write(stampedNow(progress)); },
+                    known, lines_total, kLongestWrite) {}
+
+JournalWriter::JournalWriter(Write write, const JobProgress& known, std::uint64_t lines_total,
+                             double patience_s)
+    : lines_total_(lines_total),
       taken_before_(known.taken_through),
+      patience_(patience_s),
       ahead_(kLeastAhead),
       measured_from_(known.taken_through),
       asked_(known),
-      wanted_(known),
-      kept_sent_(known.sent_through),
-      thread_([this] { run(); }) {}
-
-JournalWriter::~JournalWriter() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_over_ = true;
-  }
-  has_changed_.notify_all();
-  thread_.join();
+      shared_(std::make_shared<Shared>()) {
+  shared_->write = std::move(write);
+  shared_->wanted = known;
+  shared_->kept_sent = known.sent_through;
+  thread_ = std::thread([shared = shared_] { run(*shared); });
 }
 
-void JournalWriter::run() {
-  std::unique_lock<std::mutex> lock(mutex_);
+JournalWriter::~JournalWriter() {
+  std::unique_lock<std::mutex> lock(shared_->mutex);
+  shared_->is_over = true;
+  shared_->has_changed.notify_all();
+  const auto hasEnded = [this] { return shared_->has_ended; };
+  const bool has_ended = !is_stuck_ && shared_->has_changed.wait_for(lock, patience_, hasEnded);
+  lock.unlock();
+  if (has_ended)
+    thread_.join();
+  else
+    thread_.detach();
+}
+
+void JournalWriter::run(Shared& shared) {
+  writeAll(shared);
+  {
+    const std::lock_guard<std::mutex> lock(shared.mutex);
+    shared.has_ended = true;
+  }
+  shared.has_changed.notify_all();
+}
+
+/// Until the writer is over, or the disk fails.
+void JournalWriter::writeAll(Shared& shared) {
+  std::unique_lock<std::mutex> lock(shared.mutex);
   while (true) {
-    has_changed_.wait(lock, [this] { return is_outdated_ || is_over_; });
-    if (!is_outdated_) return;
-    is_outdated_ = false;
-    JobProgress progress = wanted_;
+    shared.has_changed.wait(lock, [&shared] { return shared.is_outdated || shared.is_over; });
+    if (!shared.is_outdated) return;
+    shared.is_outdated = false;
+    const JobProgress progress = shared.wanted;
     lock.unlock();
     std::string failure;
     try {
-      file_.write(stampedNow(progress));
+      shared.write(progress);
     } catch (const Error& error) {
       failure = error.what();
     }
     lock.lock();
-    failure_ = failure;
-    if (failure.empty()) kept_sent_ = progress.sent_through;
-    has_changed_.notify_all();
+    shared.failure = failure;
+    if (failure.empty()) shared.kept_sent = progress.sent_through;
+    shared.has_changed.notify_all();
     if (!failure.empty()) return;
   }
 }
@@ -92,21 +117,27 @@ void JournalWriter::record(const StreamStatus& status, double now) {
     next_acknowledgement_ = now + kAcknowledgementInterval;
     asked_ = progress;
     {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      wanted_ = progress;
-      is_outdated_ = true;
+      const std::lock_guard<std::mutex> lock(shared_->mutex);
+      shared_->wanted = progress;
+      shared_->is_outdated = true;
     }
-    has_changed_.notify_all();
+    shared_->has_changed.notify_all();
   }
   require(status.lines_sent);
 }
 
 void JournalWriter::require(std::uint64_t sent) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  has_changed_.wait(lock, [&] { return kept_sent_ >= sent || !failure_.empty(); });
-  if (failure_.empty()) return;
+  std::unique_lock<std::mutex> lock(shared_->mutex);
+  const auto isAnswered = [&] { return shared_->kept_sent >= sent || !shared_->failure.empty(); };
+  is_stuck_ = !shared_->has_changed.wait_for(lock, patience_, isAnswered);
+  if (!is_stuck_ && shared_->failure.empty()) return;
   has_failed_ = true;
-  throw FileError(failure_);
+  if (!is_stuck_) throw FileError(shared_->failure);
+  // What is known by then is old when the disk answers.
+  shared_->is_outdated = false;
+  shared_->is_over = true;
+  throw FileError("the progress file was not written within " + numberText(patience_.count()) +
+                  " s: its disk does not answer");
 }
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/duration_text.hpp"
+#include "lamina/base/error.hpp"
 #include "streaming/firmware/marlin/stop_commands.hpp"
 #include "streaming/job/job_failures.hpp"
 
@@ -94,8 +95,12 @@ void MarlinJob::goOnAfter(std::uint64_t number, double now) {
     outputs_.see(line.command);
     status.layer = line.layer;
   };
-  auto rest = restOf(program_, status.lines_acknowledged, pass);
-  feed_ = LineFeed(std::move(rest), number + 1, status.layer);
+  try {
+    auto rest = restOf(program_, status.lines_acknowledged, pass);
+    feed_ = LineFeed(std::move(rest), number + 1, status.layer);
+  } catch (const Error&) {
+    return abort(currentFailure(), now);  // the program is gone
+  }
   resend_.beginAt(number + 1);
   answers_due_ = 0;  // the enquiry has waited for them
   nextReport(now);

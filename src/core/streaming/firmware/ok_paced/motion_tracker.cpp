@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lamina/base/characters.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 namespace {
@@ -29,11 +30,7 @@ std::string codeOf(std::string_view command) {
 /// The number behind a letter; nothing if the letter is missing or has none.
 std::optional<double> wordOf(std::string_view words, char letter) {
   const std::size_t at = words.find(letter);
-  if (at == std::string_view::npos) return std::nullopt;
-  const std::string number(words.substr(at + 1, 32));
-  char* end = nullptr;
-  const double value = std::strtod(number.c_str(), &end);
-  return end == number.c_str() ? std::nullopt : std::optional<double>(value);
+  return at == std::string_view::npos ? std::nullopt : wordNumber(words.substr(at + 1));
 }
 
 template <std::size_t count>
