@@ -3,7 +3,9 @@
 #include "command_line.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/edit_distance.hpp"
@@ -76,6 +78,15 @@ bool standsFirst(const std::string& subcommand, int argc, char** argv) {
   return false;
 }
 
+/// What is printed may go to a file, and its disk be full.
+/// @throws FileError if not all of it was taken
+void requirePrinted() {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+  throw FileError(std::string("cannot write the standard output: ") +
+                  (errno != 0 ? std::strerror(errno) : "not all of it was taken"));
+}
+
 /// Names and aliases of all subcommands that were added.
 std::vector<std::string> namesOf(const CLI::App& app) {
   std::vector<std::string> names;
@@ -135,6 +146,7 @@ int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcomm
     loadPlugins(pluginsOfEnvironment());
     loadPlugins(plugins);
     chosen.run();
+    requirePrinted();
     return chosen.exit_code;
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, chosen.format);

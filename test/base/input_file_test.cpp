@@ -34,6 +34,16 @@ TEST(InputFile, ReadsInPieces) {
   EXPECT_EQ(file.read(buffer, 4), 0u);
 }
 
+TEST(InputFile, IsFoundInAnyCaseWhereItIsNotThereAsNamed) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("BOX_1.LS")) << "a";
+  EXPECT_EQ(pathInAnyCase(folder.file("box_1.ls")), folder.file("BOX_1.LS"));
+  EXPECT_EQ(pathInAnyCase(folder.file("box_2.ls")), folder.file("box_2.ls"));
+  std::ofstream(folder.file("box_1.ls")) << "b";
+  EXPECT_EQ(pathInAnyCase(folder.file("box_1.ls")), folder.file("box_1.ls"));
+  EXPECT_EQ(pathInAnyCase(folder.file("Box_1.ls")), folder.file("BOX_1.LS"));
+}
+
 TEST(InputFile, AddsTheRestToWhatWasReadBefore) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("rest");

@@ -430,7 +430,8 @@ class CommandLine(unittest.TestCase):
         screen, terminal = pty.openpty()  # on which it shows how far it is
         self.addCleanup(os.close, screen)
         stream = subprocess.Popen([LAMINA, "stream", program, "--port", machine, "--json"],
-                                  stdout=subprocess.PIPE, stderr=terminal, text=True)
+                                  stdout=subprocess.PIPE, stderr=terminal, text=True,
+                                  preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
         os.close(terminal)
         self.wait_for_text(screen, b"Execute")
         stream.send_signal(signal.SIGHUP)
@@ -441,6 +442,25 @@ class CommandLine(unittest.TestCase):
         emulator.send_signal(signal.SIGINT)
         emulator.wait(timeout=60)
         self.assertIn(b"M104 S0", content(self.path("run")))
+
+    def test_under_nohup_a_closed_terminal_ends_nothing(self):
+        machine = self.path("machine")
+        emulator = subprocess.Popen([LAMINA, "emulate", "--pty", machine], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                    preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        self.addCleanup(emulator.wait)
+        self.addCleanup(emulator.kill)
+        self.wait_for(lambda: os.path.exists(machine))
+        emulator.send_signal(signal.SIGHUP)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            emulator.wait(timeout=1)
+        emulator.send_signal(signal.SIGINT)
+        self.assertEqual(emulator.wait(timeout=60), 0)
+
+    def test_what_cannot_be_printed_is_said(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([LAMINA, "slice", "--print-config"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("FileError: cannot write the standard output: No space left on device", done.stderr)
 
     def test_a_dry_run_moves_and_switches_nothing_on(self):
         program = self.path("wet.gcode")

@@ -267,6 +267,29 @@ TEST_F(SliceJobTest, CountsEmptyLayersBelowOthers) {
   EXPECT_NEAR(sliced.summary.unprinted_mm3, 0.05 * 0.05 * 1.0, 1e-6);
 }
 
+double infillVolume(const Toolpath& toolpath) {
+  double sum_mm3 = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::Infill) sum_mm3 += depositedVolume(path);
+  return sum_mm3;
+}
+
+/// Lines of unequal layers are as far apart in all of them.
+TEST_F(SliceJobTest, FillsByItsDensityInLayersOfUnequalHeightWhateverTheBeads) {
+  writeStl(job_.part, test::boxBetween({0, 0, 0}, {60, 60, 3}));
+  job_.settings.slicing.heights = LayerHeights::Adaptive;
+  job_.settings.planning.walls.count = 1;
+  job_.settings.planning.skins.top_layers = job_.settings.planning.skins.bottom_layers = 0;
+  job_.settings.planning.infill.density = 0.2;
+  // Within one wall of 0.4 mm, and joined along the border by some of the same again.
+  const double inside_mm3 = 59.3 * 59.3 * 3.0;
+  for (const double width_mm : {0.4, 0.8}) {
+    job_.settings.planning.infill.bead_width_mm = width_mm;
+    EXPECT_NEAR(infillVolume(run().toolpath) / inside_mm3, 0.2, 0.03) << width_mm;
+  }
+}
+
 TEST_F(SliceJobTest, RefusesAMachineThatIsNotThere) {
   job_.settings.machine.name = "warp_drive";
   EXPECT_THROW(run(), InvalidConfig);

@@ -65,6 +65,11 @@ class InputFile {
   std::unique_ptr<const HeldSignals> held_;  ///< while the file is being read
 };
 
+/// The path as it is, or, where no such file is, that of the file in its folder whose name differs in the
+/// case of ASCII letters alone, as controllers write names in capitals; the first in order where there are
+/// several.
+std::string pathInAnyCase(const std::string& path);
+
 /// Checks a file that another library is going to open.
 /// @throws FileError as `InputFile`
 void requireReadable(const std::string& path);

@@ -23,6 +23,10 @@ std::string_view utf8Text(std::string_view bytes, const std::string& source);
 /// The text with its ASCII letters small; the same in every locale.
 std::string lowerCase(std::string_view text);
 
+/// The suffix of a file's name, from its dot on, in small letters: ".ls" of "BOX.LS". Controllers and Windows
+/// write it in capitals too.
+std::string smallSuffix(const std::string& path);
+
 /// The entries of a list with commas between them, without white space at their ends and without empty ones.
 std::vector<std::string> listEntries(std::string_view list);
 

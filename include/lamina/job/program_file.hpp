@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// Whether the suffix is that of G-code: .gcode.
+/// Whether the suffix is that of G-code: .gcode, in capitals too.
 bool isGcodeFile(const std::string& path);
 
 /// Whether the suffix is that of a program: .gcode, or that of a robot's language.
@@ -35,7 +35,7 @@ Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model);
 
-/// Whether the suffix is that of a toolpath: .csv.
+/// Whether the suffix is that of a toolpath: .csv, in capitals too.
 bool isToolpathFile(const std::string& path);
 
 /// Reads a program as `readProgram`, or the CSV of a toolpath as `readCsv`.

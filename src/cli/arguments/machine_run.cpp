@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string_view>
 
+#include "lamina/base/text.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
@@ -20,7 +20,7 @@ namespace {
 /// @throws InvalidConfig if a program in a robot's language is to be checked on the gantry, which nobody
 /// chose
 void requireRobot(const std::string& input, const MachineSettings& machine) {
-  const std::string suffix = std::filesystem::path(input).extension().string();
+  const std::string suffix = smallSuffix(input);
   constexpr std::array<std::string_view, 4> kOfRobots = {".src", ".script", ".ls", ".jbi"};
   const bool is_chosen = !machine.urdf.empty() || machine.name != MachineSettings().name;
   if (is_chosen || std::find(kOfRobots.begin(), kOfRobots.end(), suffix) == kOfRobots.end()) return;

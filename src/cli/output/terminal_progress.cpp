@@ -19,15 +19,24 @@ volatile std::sig_atomic_t was_interrupted = 0;
 
 void interrupt(int) { was_interrupted = 1; }
 
+/// Whether it is the signal of a terminal that is closed, and whoever started the command by nohup wants it
+/// to go on then.
+bool mayHangUp(int signal) {
+  struct sigaction action {};
+  return signal == SIGHUP && ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 TerminalProgress::TerminalProgress() : is_shown_(::isatty(STDERR_FILENO) != 0) {
   was_interrupted = 0;
-  for (const int signal : kStopSignals) std::signal(signal, interrupt);
+  for (const int signal : kStopSignals)
+    if (!mayHangUp(signal)) std::signal(signal, interrupt);
 }
 
 TerminalProgress::~TerminalProgress() {
-  for (const int signal : kStopSignals) std::signal(signal, SIG_DFL);
+  for (const int signal : kStopSignals)
+    if (!mayHangUp(signal)) std::signal(signal, SIG_DFL);
   if (!drawn_.empty()) std::fputs("\r\x1b[K", stderr);
 }
 

@@ -11,11 +11,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/threads/held_signals.hpp"
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -128,6 +131,22 @@ std::string InputFile::readRest(std::string_view read_before, std::size_t most_b
     is_at_end = got < wanted;
   }
   return bytes;
+}
+
+std::string pathInAnyCase(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const fs::path file(path);
+  if (fs::exists(file, unknown)) return path;
+  const fs::path folder = file.parent_path();
+  const std::string wanted = lowerCase(file.filename().string());
+  std::string found;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(folder.empty() ? fs::path(".") : folder, unknown)) {
+    const std::string name = entry.path().filename().string();
+    if (lowerCase(name) == wanted && (found.empty() || name < found)) found = name;
+  }
+  return found.empty() ? path : (folder / found).string();
 }
 
 void requireReadable(const std::string& path) { const InputFile file(path); }

@@ -3,6 +3,7 @@
 #include "lamina/base/text.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "lamina/base/characters.hpp"
@@ -38,6 +39,10 @@ std::string lowerCase(std::string_view text) {
   std::string small(text);
   for (char& letter : small) letter = lower(letter);
   return small;
+}
+
+std::string smallSuffix(const std::string& path) {
+  return lowerCase(std::filesystem::path(path).extension().string());
 }
 
 std::vector<std::string> listEntries(std::string_view list) {

@@ -6,16 +6,21 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/program_file.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::string_view kSuffix = ".gcode";
 
+void requireGcode(const std::string& program) {
+  if (!isGcodeFile(program)) requireSuffix(program, {std::string(kSuffix)});
+}
+
 }  // namespace
 
 std::string inclinedName(const std::string& program) {
-  requireSuffix(program, {std::string(kSuffix)});
+  requireGcode(program);
   return program.substr(0, program.size() - kSuffix.size()) + "_rotate" + std::string(kSuffix);
 }
 
@@ -29,7 +34,7 @@ Box3 machineRoom(const BuildSpace& space) {
 
 RewriteReport runInclineJob(const InclineJob& job, Progress& progress) {
   if (!job.map) throw InvalidInput("no map of space is given; expected a rotation or another one");
-  requireSuffix(job.program, {std::string(kSuffix)});
+  requireGcode(job.program);
   const std::string output = job.output.empty() ? inclinedName(job.program) : job.output;
   requireSuffix(output, {std::string(kSuffix)});
   requireApart({output}, {job.program});

@@ -49,7 +49,7 @@ auto readFiveAxisFile(const std::string& path, const Read& read) {
 
 }  // namespace
 
-bool isGcodeFile(const std::string& path) { return std::filesystem::path(path).extension() == ".gcode"; }
+bool isGcodeFile(const std::string& path) { return smallSuffix(path) == ".gcode"; }
 
 bool isProgramFile(const std::string& path) { return isRobotFile(path) || isGcodeFile(path); }
 
@@ -77,7 +77,7 @@ std::optional<StatedMotion> readStatedMotion(const std::string& path, const Prog
   });
 }
 
-bool isToolpathFile(const std::string& path) { return std::filesystem::path(path).extension() == ".csv"; }
+bool isToolpathFile(const std::string& path) { return smallSuffix(path) == ".csv"; }
 
 Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settings,
                           const MachineSettings& machine) {

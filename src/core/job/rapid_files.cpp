@@ -8,6 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/program/rapid/writer/rapid_writer.hpp"
 
 namespace lamina {
@@ -27,7 +28,7 @@ std::optional<RobotMotion> motionOf(const PlacedToolpath& placed) {
 
 }  // namespace
 
-bool isRapidFile(const std::string& path) { return std::filesystem::path(path).extension() == ".mod"; }
+bool isRapidFile(const std::string& path) { return smallSuffix(path) == ".mod"; }
 
 void writeRapid(const PlacedToolpath& placed, const RapidSettings& settings, const TextSink& sink) {
   requireBedAxes(placed.frame);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
@@ -131,6 +132,23 @@ TEST(MeshRepair, StitchesACrackWithinTheTolerance) {
   for (Point3& vertex : cracked.vertices)
     for (double& x : vertex) x += random.uniform(-0.0005, 0.0005);
   expectSolid(cracked, 1000.0, 0.5);
+}
+
+/// Each side of the large cube is a piece of its own, and encloses nothing.
+TEST(MeshRepair, SaysWhatVolumeATornSurfaceLoses) {
+  Mesh torn = soup(cube("20"));
+  for (const Triangle& t : torn.triangles) {
+    const Point3 first = torn.vertices[t[0]];
+    const Point3 b = torn.vertices[t[1]] - first;
+    const Point3 c = torn.vertices[t[2]] - first;
+    for (const std::uint32_t v : t) torn.vertices[v] += 0.1 * b.cross(c).normalized();
+  }
+  const RepairResult result = repairMesh(together(torn, moved(cube("4"), {40, 0, 0})));
+  EXPECT_NEAR(volume(result.mesh), 64.0, 1e-9);
+  // 64 of 64 and 20 x 20 x 20.2 mm³.
+  EXPECT_EQ(result.changes.back().what, "% of the enclosed volume lost with torn pieces")
+      << changesOf(result);
+  EXPECT_EQ(result.changes.back().count, 99U);
 }
 
 TEST(MeshRepair, SplitsAnEdgeAtAVertexOnIt) {

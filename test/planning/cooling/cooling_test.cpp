@@ -170,6 +170,15 @@ TEST(Cooling, GoesOnFromAWaitToTheNextBead) {
   EXPECT_NEAR(layerTime(toolpath, 0), 5.0 + std::hypot(0.5, 0.2) / 100.0, 1e-3);
 }
 
+/// The first layer is a bead alone, at 10 mm/s; the travels of others are at 100 mm/s.
+TEST(Cooling, GoesToAWaitAsFastAsItTravelsInOtherLayers) {
+  Toolpath toolpath = linesAside();
+  cooled(toolpath, waitingFor(5.0));
+  const Path& wait = toolpath.layers[0].paths.back();
+  ASSERT_EQ(wait.role, PathRole::Travel);
+  EXPECT_EQ(wait.feed_mm_s.at(0), 100.0);
+}
+
 TEST(Cooling, KeepsMaterialBackUntilTheNextBeadWhereItDoesNotRise) {
   Toolpath toolpath = linesAside();
   CoolingSettings settings = waitingFor(5.0);

@@ -152,6 +152,15 @@ TEST_P(RobotReader, FindsTheFilesThatAProgramRuns) {
   const Toolpath read = readRobotProgramFile(folder.file(files.front().name));
   EXPECT_EQ(totals(read).waypoints, totals(toolpath).waypoints);
   EXPECT_EQ(read.part_name.size(), 4U);
+  // As a controller saves them.
+  const test::ScratchFolder saved;
+  const auto capitals = [](std::string name) {
+    for (char& c : name) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return name;
+  };
+  for (const RobotFile& file : files) writeFile(saved.file(capitals(file.name)), file.text);
+  const Toolpath read_back = readRobotProgramFile(saved.file(capitals(files.front().name)));
+  EXPECT_EQ(totals(read_back).waypoints, totals(toolpath).waypoints);
   // Another is missing.
   std::vector<RobotFile> incomplete(files.begin(), files.end() - 1);
   try {

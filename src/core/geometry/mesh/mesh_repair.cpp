@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -66,6 +68,18 @@ void compact(Mesh& mesh) {
     for (std::uint32_t& v : t) v = moved[v];
 }
 
+/// Seen from the point; of a surface with cracks nearly what it encloses if the point is in its middle [mm³].
+double volumeFrom(const Point3& point, const Mesh& mesh) {
+  double sixfold = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3 a = mesh.vertices[t[0]] - point;
+    const Point3 b = mesh.vertices[t[1]] - point;
+    const Point3 c = mesh.vertices[t[2]] - point;
+    sixfold += a.dot(b.cross(c));
+  }
+  return std::abs(sixfold) / 6.0;
+}
+
 /// The mesh on its way through the steps, with its topology.
 class Repair {
  public:
@@ -79,14 +93,20 @@ class Repair {
   void rebuild(double tolerance) {
     apply(dropRepeatedTriangles(std::move(mesh_), topology_));
     apply(dropBackOfDoubledSurface(std::move(mesh_)));
+    const Point3 middle = boundingBox(mesh_).centre();
+    const double given_mm3 = volumeFrom(middle, mesh_);
     apply(stitchBorders(std::move(mesh_), topology_, tolerance));
     apply(splitAtBorderVertices(std::move(mesh_), topology_, tolerance));
     apply(dropDegenerateTriangles(std::move(mesh_)));
     apply(dropRepeatedTriangles(std::move(mesh_), topology_));
     apply(orientConsistently(std::move(mesh_), topology_));
+    const std::size_t unfilled = changes_.size();
     apply(fillHoles(std::move(mesh_), topology_));
+    const std::size_t holes = changes_.size() - unfilled;
     apply(turnOutwards(std::move(mesh_), topology_));
     compact(mesh_);
+    if (holes > kFewHoles && !mesh_.triangles.empty())
+      reportLoss(1.0 - volumeFrom(middle, mesh_) / given_mm3, middle);
   }
 
   std::optional<std::string> defect() const { return findDefect(mesh_, topology_); }
@@ -94,6 +114,17 @@ class Repair {
   RepairResult result() && { return {std::move(mesh_), std::move(topology_), std::move(changes_)}; }
 
  private:
+  static constexpr std::size_t kFewHoles = 3;
+
+  /// Pieces of a torn surface close to slivers or to nothing, of which no single change tells.
+  /// @param share  of the volume; below 0, or no number, where nothing was enclosed
+  void reportLoss(double share, const Point3& middle) {
+    constexpr double kGreat = 0.1;
+    if (!(share > kGreat)) return;
+    const auto percent = static_cast<std::size_t>(std::lround(100.0 * share));
+    changes_.push_back({"% of the enclosed volume lost with torn pieces", percent, middle});
+  }
+
   void apply(RepairStep step) {
     mesh_ = std::move(step.mesh);
     if (!step.changes.empty()) topology_ = pairHalfEdges(mesh_);

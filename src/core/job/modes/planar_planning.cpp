@@ -15,6 +15,7 @@
 #include "lamina/planning/compensation/compensation.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
+#include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
 namespace {
@@ -57,7 +58,7 @@ PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& 
   double area_mm2 = 0.0;
   double height_mm = 0.0;
   for (const Layer& layer : layers) {
-    area_mm2 += crossSection({settings.bead.width_mm, layer.bounds.height()});
+    area_mm2 += crossSection(beadOf(PathRole::Infill, settings, layer.bounds.height()).bead);
     height_mm += layer.bounds.height();
   }
   infill.pitch_mm = area_mm2 / (infill.density * height_mm);

@@ -20,10 +20,6 @@ namespace {
 constexpr double kUnitAxis = 1e-6;  // as of `directionOf`
 constexpr std::array<const char*, 4> kJointTypes = {"revolute", "continuous", "prismatic", "fixed"};
 
-std::string suffixOf(const std::string& path) {
-  return lowerCase(std::filesystem::path(path).extension().string());
-}
-
 double numberOf(const TiXmlElement& element, const char* name) {
   const char* text = element.Attribute(name);
   return text != nullptr ? std::strtod(text, nullptr) : 0.0;
@@ -67,7 +63,7 @@ class FaultCollector {
   }
 
   void addMesh(const TiXmlElement& link, const std::string& name) {
-    const std::string suffix = suffixOf(name);
+    const std::string suffix = smallSuffix(name);
     if (suffix == ".dae") {
       add("link", link,
           "has the collision mesh '" + name +

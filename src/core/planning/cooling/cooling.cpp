@@ -256,7 +256,7 @@ class Cooler {
   double wait(std::size_t index, double lacking_s) const {
     ToolpathLayer& layer = toolpath_.layers[index];
     const Path& last = layer.paths.back();
-    Path path = parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer),
+    Path path = parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, grounds_[index].travel_mm_s,
                            grounds_[index], settings_);
     const ToolpathLayer ways = {layer.z_mm, layer.height_mm, {path}};
     const double dwell_s = std::max(0.0, lacking_s - layerTime(ways, limits_));

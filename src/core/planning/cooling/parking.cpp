@@ -39,6 +39,29 @@ bool canLeadOn(const Path& wait, const std::vector<Path>& way, const Path& next,
   });
 }
 
+/// Speed of a layer's travels [mm/s]; 0 if it has none.
+double ownTravelFeed(const ToolpathLayer& layer) {
+  double greatest_mm_s = 0.0;  // others are ends of runs
+  for (const Path& path : layer.paths)
+    if (path.role == PathRole::Travel) greatest_mm_s = std::max(greatest_mm_s, path.feed_mm_s.at(0));
+  return greatest_mm_s;
+}
+
+/// Speeds of the travels of each layer [mm/s]. The first layer of an inclined part is often a single bead:
+/// there, too, the nozzle goes as fast as it travels elsewhere.
+std::vector<double> travelFeeds(const std::vector<ToolpathLayer>& layers) {
+  double last_mm_s = 0.0;
+  for (std::size_t l = 0; l < layers.size() && last_mm_s == 0.0; ++l) last_mm_s = ownTravelFeed(layers[l]);
+  std::vector<double> feeds_mm_s;
+  feeds_mm_s.reserve(layers.size());
+  for (const ToolpathLayer& layer : layers) {
+    if (const double own_mm_s = ownTravelFeed(layer); own_mm_s > 0.0) last_mm_s = own_mm_s;
+    const bool goes_at_bead = last_mm_s == 0.0 && !layer.paths.empty();
+    feeds_mm_s.push_back(goes_at_bead ? layer.paths.back().feed_mm_s.at(0) : last_mm_s);
+  }
+  return feeds_mm_s;
+}
+
 /// Of travels without dwells.
 double timeOf(std::vector<Path> paths, const MotionLimits& limits) {
   for (Path& path : paths) path.events.clear();
@@ -59,18 +82,13 @@ Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place) {
   return here;
 }
 
-double travelFeed(const ToolpathLayer& layer) {
-  double greatest_mm_s = 0.0;  // others are ends of runs
-  for (const Path& path : layer.paths)
-    if (path.role == PathRole::Travel) greatest_mm_s = std::max(greatest_mm_s, path.feed_mm_s.at(0));
-  return greatest_mm_s > 0.0 ? greatest_mm_s : layer.paths.back().feed_mm_s.at(0);
-}
-
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath) {
   std::vector<ParkingGround> grounds;
   grounds.reserve(toolpath.layers.size());
+  const std::vector<double> feeds_mm_s = travelFeeds(toolpath.layers);
   ParkingGround ground{depositionBox(toolpath), layerNormal(toolpath)};
   for (const ToolpathLayer& layer : toolpath.layers) {
+    ground.travel_mm_s = feeds_mm_s[grounds.size()];
     for (const Path& path : layer.paths)
       if (path.role != PathRole::Travel)
         for (const Point3& point : path.points)

@@ -11,19 +11,19 @@
 
 namespace lamina {
 
-/// Speed of a layer's travels, or of its last path if it has none [mm/s]. The layer must have paths.
-double travelFeed(const ToolpathLayer& layer);
-
-/// The deposition up to a layer, on which its parking place depends.
+/// The deposition up to a layer, on which its parking place depends, and how the nozzle goes there.
 struct ParkingGround {
   Box3 part;  ///< box of the deposition
   Point3 up;  ///< away from the layers
   /// Greatest height along `up` of the deposition up to and including the layer [mm]. Other parts of a plate
   /// may be higher than the nozzle.
   double highest_mm = -std::numeric_limits<double>::infinity();
+  /// Speed of the layer's travels [mm/s]: without any, of those of the layer before, or else of the first
+  /// layer that has some, or else of its last path.
+  double travel_mm_s = 0.0;
 };
 
-/// The deposition up to each layer.
+/// The ground of each layer.
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 
 /// Position at which the nozzle waits, at its present height.

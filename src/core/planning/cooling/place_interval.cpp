@@ -77,7 +77,7 @@ class PlaceCooler {
     parallelFor(
         layers.size(),
         [&](std::size_t l) {
-          if (!toolpath_.layers[l].paths.empty()) layers[l] = takenApart(toolpath_.layers[l]);
+          if (!toolpath_.layers[l].paths.empty()) layers[l] = takenApart(l);
         },
         progress, "cool");
     for (std::size_t l = 0; l < layers.size(); ++l)
@@ -87,9 +87,10 @@ class PlaceCooler {
 
  private:
   /// Takes the paths of a layer.
-  LayerPieces takenApart(ToolpathLayer& layer) const {
+  LayerPieces takenApart(std::size_t index) const {
+    ToolpathLayer& layer = toolpath_.layers[index];
     LayerPieces pieces;
-    pieces.travel_feed_mm_s = travelFeed(layer);
+    pieces.travel_feed_mm_s = grounds_[index].travel_mm_s;
     pieces.is_free = may_reorder_ && isFree(layer);
     PlacedLayer placed = placesOf(layer, toolpath_.part_from_layers.conjugate());
     pieces.place_of = placesOfVisits(placed);

@@ -22,7 +22,8 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
   for (const std::size_t index : paused) {
     ToolpathLayer& layer = toolpath.layers[index];
     const std::size_t bead = firstBead(layer);
-    Path path = parkedWait(layer.paths[bead], 0, travelFeed(layer), grounds[index], parking);
+    const ParkingGround& ground = grounds[index];
+    Path path = parkedWait(layer.paths[bead], 0, ground.travel_mm_s, ground, parking);
     path.events.front().event.emplace<OperatorPause>();
     layer.paths.insert(layer.paths.begin() + static_cast<std::ptrdiff_t>(bead), std::move(path));
   }

@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -177,7 +176,7 @@ const char* toString(RobotLanguage language) { return nameOf(language).name; }
 const char* suffixOf(RobotLanguage language) { return nameOf(language).suffix; }
 
 std::optional<RobotLanguage> robotLanguageOf(const std::string& path) {
-  const std::string suffix = std::filesystem::path(path).extension().string();
+  const std::string suffix = smallSuffix(path);
   for (const LanguageName& each : kLanguages)
     if (suffix == each.suffix) return each.language;
   return std::nullopt;

@@ -12,6 +12,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "program/rapid/rapid_words.hpp"
@@ -260,7 +261,7 @@ class RapidFiles {
     addModule(file_.filename().string(), texts_.front(), source_);
     for (const std::string& module : readModuleNotes(source_.head, source_.files.front())) {
       const std::string name = module + ".mod";
-      texts_.push_back(readTextFile((file_.parent_path() / name).string()));
+      texts_.push_back(readTextFile(pathInAnyCase((file_.parent_path() / name).string())));
       addModule(name, texts_.back(), source_);
     }
   }

@@ -11,6 +11,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "program/robot/reader/robot_parser.hpp"
 #include "program/robot/reader/robot_run.hpp"
 
@@ -101,7 +102,7 @@ BesideFile among(const std::vector<RobotFile>& files) {
 
 BesideFile inFolderOf(const std::filesystem::path& first) {
   return [first](const std::string& name) -> std::optional<std::string> {
-    const std::filesystem::path path = first.parent_path() / name;
+    const std::filesystem::path path = pathInAnyCase((first.parent_path() / name).string());
     std::error_code unknown;
     if (path != first && !std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
     return readTextFile(path.string());
