@@ -138,9 +138,10 @@ void writeReport(const MachineCheck& check, const std::string& file) {
 
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
-  KinematicModelRun run = runOfInput(model, input, settings, progress);
+  const CheckedMachine machine(model);
+  KinematicModelRun run = runOfInput(machine, input, settings, progress);
   Checked checked;
-  checked.check = checkRun(run, model, settings.clearance, progress);
+  checked.check = checkRun(run, machine, settings.clearance, progress);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
   if (!run.path.isRunnable()) return checked;
   checked.timed = inTime(std::move(run), model, runSettings(settings).timing);

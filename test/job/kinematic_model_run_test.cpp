@@ -101,7 +101,7 @@ TEST(KinematicModelRun, OfSomeLayersHasTheirJointsAndAllLayers) {
   NoProgress nobody;
   const KinematicModelRun whole = runOn(*machine, toolpath, bed_from_part, {}, nobody);
   const ToolpathExcerpt excerpt{toolpath, {{1, 3}, {5, 6}}};
-  const KinematicModelRun some = runOn(*machine, excerpt, bed_from_part, {}, nobody);
+  const KinematicModelRun some = runOn(CheckedMachine(*machine), excerpt, bed_from_part, {}, nobody);
   JointPath expected;
   for (std::size_t i = 0; i < whole.path.at.size(); ++i) {
     const std::size_t layer = whole.path.at[i].layer;

@@ -145,7 +145,7 @@ TEST(MachineCheck, CountsCollidingWaypointsAndShowsTheFirstOfEachLayer) {
   dives.layers[1].paths.push_back(dives.layers[0].paths[0]);
   NoProgress nobody;
   const KinematicModelRun run = runOn(*arm, dives, Isometry3d::Identity(), {}, nobody);
-  const ClearanceReport report = clearanceOf(run, *arm, {}, nobody);
+  const ClearanceReport report = clearanceOf(run, CheckedMachine(*arm), {}, nobody);
   EXPECT_EQ(report.waypoints, 6U);
   EXPECT_EQ(report.colliding, checkRun(run, *arm, {}, nobody).collisions.size());
   ASSERT_EQ(report.first_of_layers.size(), 2U);

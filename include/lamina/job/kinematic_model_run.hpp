@@ -15,6 +15,7 @@
 #include "lamina/program/stated_motion.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/trajectory/timed_path.hpp"
+#include "lamina/verification/collision/checked_machine.hpp"
 
 namespace lamina {
 
@@ -35,6 +36,11 @@ struct KinematicModelRun {
 /// where that is not enough.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`
+KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress);
+
+/// The same, of a machine that nothing more is planned or checked on.
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
@@ -56,7 +62,7 @@ struct ToolpathExcerpt {
 /// were the whole toolpath: near its ends the joint values may differ from those of the whole.
 /// @param progress  stage "joints"
 /// @throws as the function above
-KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
+KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 

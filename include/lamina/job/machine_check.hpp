@@ -11,6 +11,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/waypoint_index.hpp"
+#include "lamina/verification/collision/checked_machine.hpp"
 #include "lamina/verification/collision/clearance.hpp"
 #include "lamina/verification/collision/clearance_settings.hpp"
 
@@ -44,6 +45,10 @@ struct MachineCheck {
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
+MachineCheck checkRun(const KinematicModelRun& run, const CheckedMachine& machine,
+                      const ClearanceSettings& settings, Progress& progress);
+
+/// The same, of a machine that nothing more is planned or checked on.
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
 
@@ -51,7 +56,7 @@ MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
-ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
+ClearanceReport clearanceOf(const KinematicModelRun& run, const CheckedMachine& machine,
                             const ClearanceSettings& settings, Progress& progress);
 
 /// How close the joints come to a singularity along beads; close to one, joints slow down.

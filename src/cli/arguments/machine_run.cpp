@@ -57,16 +57,16 @@ JobSettings settingsOnMachine(const SettingOptions& given, const MachineRunArgum
   return layered.settings;
 }
 
-KinematicModelRun runOfInput(const KinematicModel& model, const std::string& input,
+KinematicModelRun runOfInput(const CheckedMachine& machine, const std::string& input,
                              const JobSettings& settings, Progress& progress) {
-  if (auto stated = readStatedMotion(input, settings.program, model))
-    return runAsStated(model, std::move(*stated), settings.joints);
+  if (auto stated = readStatedMotion(input, settings.program, machine.model()))
+    return runAsStated(machine.model(), std::move(*stated), settings.joints);
   ToolpathInput read = readInclinedToolpath(input, settings);
   // Programs state where on the bed they stand.
   const bool is_toolpath = !isPart(input) && !isProgramFile(input);
   if (is_toolpath && settings.placement == Placement::Centre)
     read.bed_from_part = placeDeposition(read.toolpath, buildSpaceOf(settings.machine));
-  return runOn(model, std::move(read.toolpath), read.bed_from_part, settings.joints, progress);
+  return runOn(machine, std::move(read.toolpath), read.bed_from_part, settings.joints, progress);
 }
 
 }  // namespace lamina::cli

@@ -28,7 +28,7 @@ JobSettings settingsOnMachine(const SettingOptions& options, const MachineRunArg
 
 /// The joints that a program holds; of what holds none, those by which the machine would run it.
 /// @throws as the readers of its kind, and `runOn`
-KinematicModelRun runOfInput(const KinematicModel& model, const std::string& input,
+KinematicModelRun runOfInput(const CheckedMachine& machine, const std::string& input,
                              const JobSettings& settings, Progress& progress);
 
 }  // namespace lamina::cli

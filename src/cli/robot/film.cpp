@@ -199,8 +199,8 @@ void film(const FilmArguments& arguments, OutputFormat format) {
   const JobSettings settings = settingsOnMachine(arguments.settings, arguments.run);
   const auto model = kinematicModelOf(settings.machine);
   TerminalProgress progress;
-  const TimedRun timed = inTime(runOfInput(*model, arguments.run.input, settings, progress), *model,
-                                runSettings(settings).timing);
+  const TimedRun timed = inTime(runOfInput(CheckedMachine(*model), arguments.run.input, settings, progress),
+                                *model, runSettings(settings).timing);
   const Film film(timed, *model, std::filesystem::path(arguments.run.input).filename().string());
   nlohmann::ordered_json frames = nlohmann::json::array();
   for (int number = 1; number <= arguments.frames; ++number) {

@@ -7,7 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
-#include "lamina/verification/collision/checked_bodies.hpp"
+#include "lamina/verification/collision/checked_machine.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -17,7 +17,7 @@ constexpr int kDoublings = 6;
 constexpr double kHighest = 1000.0;  // mm
 
 /// What the way runs into first.
-std::optional<Collision> firstCollision(const Approach& approach, const KinematicModel& model,
+std::optional<Collision> firstCollision(const Approach& approach, const CheckedMachine& machine,
                                         const ClearanceSettings& settings, Progress& progress) {
   Path travel;
   travel.role = PathRole::Travel;
@@ -25,12 +25,12 @@ std::optional<Collision> firstCollision(const Approach& approach, const Kinemati
   for (const JointValues& values : approach.stations) {
     path.at.push_back({0, 0, travel.points.size()});
     path.values.push_back(values);
-    travel.points.emplace_back(model.bedFromNozzle(values).translation());
+    travel.points.emplace_back(machine.model().bedFromNozzle(values).translation());
   }
   Toolpath toolpath;
   toolpath.layers.push_back({0.0, 0.0, {travel}});
   const JointClearanceReport report = checkJointClearance(
-      {toolpath, Eigen::Isometry3d::Identity(), model, path}, checkedBodies(model), settings, progress);
+      {toolpath, Eigen::Isometry3d::Identity(), machine.model(), path}, machine.bodies(), settings, progress);
   if (report.collisions.empty()) return std::nullopt;
   return report.collisions.front();
 }
@@ -48,10 +48,11 @@ Approach clearApproach(const JointValues& from, const JointValues& to, const Kin
   if (!(way.lift_mm <= kHighest))
     throw InvalidConfig("approach.lift_mm is " + numberText(way.lift_mm) + " mm; expected at most " +
                         numberText(kHighest) + " mm");
+  const CheckedMachine machine(model);
   std::optional<Collision> first;
   for (int i = 0; i <= kDoublings && way.lift_mm <= kHighest; ++i, way.lift_mm *= 2.0) {
     Approach tried = approach(from, to, model, way, demands.timing);
-    const std::optional<Collision> collision = firstCollision(tried, model, demands.clearance, progress);
+    const std::optional<Collision> collision = firstCollision(tried, machine, demands.clearance, progress);
     if (!collision) return tried;
     if (!first) first = collision;
   }

@@ -144,23 +144,23 @@ struct CheckedRun {
   MachineCheck check;
 };
 
-CheckedRun checkedRun(const KinematicModel& model, const SliceJob& job, const SlicedPart& sliced,
+CheckedRun checkedRun(const CheckedMachine& machine, const SliceJob& job, const SlicedPart& sliced,
                       const JointPathSettings& joints, Progress& progress) {
-  KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, joints, progress);
-  MachineCheck check = checkRun(run, model, job.settings.clearance, progress);
+  KinematicModelRun run = runOn(machine, sliced.toolpath, sliced.bed_from_part, joints, progress);
+  MachineCheck check = checkRun(run, machine, job.settings.clearance, progress);
   return {std::move(run), std::move(check)};
 }
 
 /// A part whose tool axis leans, raised where the machine would run into something, or cannot get there, as
 /// long as that leaves less of it.
-CheckedRun raisedRun(const KinematicModel& model, const SliceJob& job, SlicedPart& sliced,
+CheckedRun raisedRun(const CheckedMachine& machine, const SliceJob& job, SlicedPart& sliced,
                      const JointPathSettings& joints, Progress& progress) {
   std::optional<KinematicModelRun> last;
   const Toolpath wanted = std::move(sliced.toolpath);
-  RaisedToolpath raised =
-      raiseToolAxes(wanted, {model, sliced.bed_from_part, job.settings}, [&](const Toolpath& toolpath) {
-        last = runOn(model, toolpath, sliced.bed_from_part, joints, progress);
-        return checkRun(*last, model, job.settings.clearance, progress);
+  RaisedToolpath raised = raiseToolAxes(
+      wanted, {machine.model(), sliced.bed_from_part, job.settings}, [&](const Toolpath& toolpath) {
+        last = runOn(machine, toolpath, sliced.bed_from_part, joints, progress);
+        return checkRun(*last, machine, job.settings.clearance, progress);
       });
   sliced.toolpath = std::move(raised.toolpath);
   if (raised.waypoints > 0) sliced.summary.notes.push_back(noteOnRaised(raised));
@@ -202,8 +202,9 @@ KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, Sli
     requireRunnable(run, model);
     return run;
   }
-  CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(model, job, sliced, joints, progress)
-                                                      : checkedRun(model, job, sliced, joints, progress);
+  const CheckedMachine machine(model);
+  CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(machine, job, sliced, joints, progress)
+                                                      : checkedRun(machine, job, sliced, joints, progress);
   requireRunnable(checked.run, model);
   requireClearFor(job, sliced.summary.mode, checked.check, model);
   return std::move(checked.run);

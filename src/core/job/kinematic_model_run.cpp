@@ -16,8 +16,6 @@
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/kept_feed.hpp"
-#include "lamina/verification/collision/checked_bodies.hpp"
-#include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
 namespace {
@@ -83,25 +81,30 @@ bool movesLinearAxesAlone(const KinematicModelRun& run, const KinematicModel& mo
 
 }  // namespace
 
-KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
+KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const SelfCollisionGuard guard(model, checkedBodies(model));
-  DividedJointPath planned =
-      planDividedJointPath(std::move(toolpath), bed_from_part, {model, guard}, settings, progress);
+  DividedJointPath planned = planDividedJointPath(std::move(toolpath), bed_from_part,
+                                                  {machine.model(), machine.guard()}, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
 }
 
-KinematicModelRun runOn(const KinematicModel& model, const ToolpathExcerpt& excerpt,
+KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const SelfCollisionGuard guard(model, checkedBodies(model));
+  return runOn(CheckedMachine(model), std::move(toolpath), bed_from_part, settings, progress);
+}
+
+KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
+  const GuardedModel guarded{machine.model(), machine.guard()};
   KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
   for (const LayerRange& stretch : excerpt.stretches)
-    run = joined(std::move(run),
-                 planDividedJointPath(alone(excerpt.toolpath, stretch), bed_from_part, {model, guard},
-                                      settings, progress),
-                 stretch);
+    run = joined(
+        std::move(run),
+        planDividedJointPath(alone(excerpt.toolpath, stretch), bed_from_part, guarded, settings, progress),
+        stretch);
   return run;
 }
 

@@ -12,7 +12,6 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
-#include "lamina/verification/collision/checked_bodies.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -138,24 +137,28 @@ std::string meetingsText(const std::vector<Finding>& collisions) {
 
 }  // namespace
 
-MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
+MachineCheck checkRun(const KinematicModelRun& run, const CheckedMachine& machine,
                       const ClearanceSettings& settings, Progress& progress) {
   MachineCheck check;
   check.waypoints = waypointsAskedFor(run.divided);
   check.rewinds = run.path.rewinds;
   check.faults = faultsOf(run);
-  const LinkBodies bodies = checkedBodies(model);
-  check.ignored = bodies.ignored;
-  check.collisions = collisionsOf(
-      run,
-      checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path}, bodies, settings, progress));
+  check.ignored = machine.bodies().ignored;
+  check.collisions =
+      collisionsOf(run, checkJointClearance({run.toolpath(), run.bed_from_part, machine.model(), run.path},
+                                            machine.bodies(), settings, progress));
   return check;
 }
 
-ClearanceReport clearanceOf(const KinematicModelRun& run, const KinematicModel& model,
+MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
+                      const ClearanceSettings& settings, Progress& progress) {
+  return checkRun(run, CheckedMachine(model), settings, progress);
+}
+
+ClearanceReport clearanceOf(const KinematicModelRun& run, const CheckedMachine& machine,
                             const ClearanceSettings& settings, Progress& progress) {
-  const JointClearanceReport found = checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path},
-                                                         checkedBodies(model), settings, progress);
+  const JointClearanceReport found = checkJointClearance(
+      {run.toolpath(), run.bed_from_part, machine.model(), run.path}, machine.bodies(), settings, progress);
   ClearanceReport report;
   report.waypoints = waypointsAskedFor(run.divided);
   std::set<std::tuple<std::size_t, std::size_t, std::size_t>> colliding;

@@ -142,12 +142,13 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Jo
     findings.overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, settings.overhang, progress);
   if (!settings.clearance.is_shown) return findings;
   const auto model = kinematicModelOf(settings.machine);
+  const CheckedMachine machine(*model);
   const KinematicModelRun run =
-      runOn(*model, sliced.toolpath, sliced.bed_from_part, settings.joints, progress);
+      runOn(machine, sliced.toolpath, sliced.bed_from_part, settings.joints, progress);
   if (!run.path.isRunnable())
     ROS_WARN_STREAM(model->name() << " cannot be led to " << run.path.faults.size()
                                   << " waypoints, the first: " << run.path.faults.front().reason);
-  findings.clearance = clearanceOf(run, *model, settings.clearance, progress);
+  findings.clearance = clearanceOf(run, machine, settings.clearance, progress);
   if (findings.clearance.colliding > 0)
     ROS_WARN_STREAM(model->name() << " collides at " << findings.clearance.colliding
                                   << " waypoints, first in layer "

@@ -29,9 +29,11 @@ DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, co
   requireSupported(placed.toolpath, {ProcessElement::Fan, ProcessElement::Dwell, ProcessElement::Value},
                    "joint trajectories");
   requireLevels(placed.toolpath, "joint trajectories");
-  KinematicModelRun run = runOn(model, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
+  const CheckedMachine machine(model);
+  KinematicModelRun run =
+      runOn(machine, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
   if (settings.is_clearance_checked) {
-    const MachineCheck check = checkRun(run, model, settings.clearance, progress);
+    const MachineCheck check = checkRun(run, machine, settings.clearance, progress);
     found(check);
     requireClear(check, model);
   }

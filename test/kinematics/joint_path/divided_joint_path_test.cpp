@@ -54,5 +54,22 @@ TEST(DividedJointPath, DividesUntilTheToleranceIsKept) {
   EXPECT_EQ(found.joints.at.size(), found.divided.toolpath.layers[0].paths[0].points.size());
 }
 
+// Rungs that are kept from one division to the next are those that would be solved again.
+TEST(DividedJointPath, IsThePathOfTheDividedToolpathPlannedByItself) {
+  const auto arm = kinematicModelByName("irb_4600");
+  NoProgress progress;
+  JointPathSettings settings;
+  settings.division.tip_tolerance_mm = 0.001;
+  const DividedJointPath found =
+      planDividedJointPath(turning(), Eigen::Isometry3d::Identity(), *arm, settings, progress);
+  const Toolpath& divided = found.divided.toolpath;
+  EXPECT_GT(divided.layers[0].paths[0].points.size(), turning().layers[0].paths[0].points.size());
+  const JointPath alone = planJointPath(divided, Eigen::Isometry3d::Identity(), *arm, settings, progress);
+  EXPECT_TRUE(alone.isRunnable());
+  ASSERT_EQ(found.joints.values.size(), alone.values.size());
+  for (std::size_t i = 0; i < alone.values.size(); ++i)
+    EXPECT_EQ(found.joints.values[i], alone.values[i]) << i;
+}
+
 }  // namespace
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/space_vectors.hpp"
+#include "kinematics/joint_path/joint_planning.hpp"
 #include "kinematics/model/joint_ranges.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/parallel.hpp"
@@ -15,7 +16,8 @@ namespace lamina {
 
 namespace {
 
-constexpr int kMostSteps = 64;  // that a motion is divided into at once
+constexpr int kMostSteps = 64;                   // that a motion is divided into at once
+constexpr std::size_t kKeptBytes = 512'000'000;  // of rungs, from one division to the next
 
 MotionDeviation deviation(const JointValues& from, const JointValues& to, const KinematicModel& model) {
   const Eigen::Isometry3d start = model.bedFromNozzle(from);
@@ -111,10 +113,12 @@ DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d
                                       const GuardedModel& guarded, const JointPathSettings& settings,
                                       Progress& progress) {
   validate(settings);
+  RungStore rungs(kKeptBytes);
   DividedJointPath result;
   result.divided = divideMotions(std::move(toolpath), settings.division);
   for (int division = 0;; ++division) {
-    result.joints = planJointPath(result.divided.toolpath, bed_from_part, guarded, settings, progress);
+    result.joints = planJointPath(result.divided.toolpath, bed_from_part,
+                                  JointPlanning{guarded, settings, rungs}, progress);
     const std::vector<MotionDeviation> deviations =
         motionDeviations(result.joints, result.divided.toolpath, guarded.model, settings);
     result.greatest = greatestOf(deviations);

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "kinematics/joint_path/joint_planning.hpp"
 #include "kinematics/joint_path/joint_unwinding.hpp"
 #include "kinematics/joint_path/redundancy_ladder.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
@@ -108,6 +109,14 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
 
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                         const GuardedModel& guarded, const JointPathSettings& settings, Progress& progress) {
+  RungStore nothing(0);
+  return planJointPath(toolpath, bed_from_part, JointPlanning{guarded, settings, nothing}, progress);
+}
+
+JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                        const JointPlanning& planning, Progress& progress) {
+  const GuardedModel& guarded = planning.guarded;
+  const JointPathSettings& settings = planning.settings;
   validate(settings);
   requireYawOf(guarded.model, settings);
   StationList list = stationsOf(toolpath, bed_from_part);
@@ -116,7 +125,7 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
   resolveRedundancy(list.stations, guarded, settings, progress);
   const RungSolver solver(guarded, settings);
   const StationTask task{list.stations, guarded.model, solver, settings};
-  StationWayThrough way = searchLadder(task, progress);
+  StationWayThrough way = searchLadder(task, planning.rungs, progress);
   if (settings.is_yaw_smoothed) smoothSamples(way.stations, task, progress);
   steadySwings(way.stations, task);
   const std::size_t rewinds = unwindStations(way, task);

@@ -12,7 +12,6 @@ namespace lamina {
 namespace {
 
 constexpr double kTurn = 2.0 * M_PI;
-constexpr double kLimitTolerance = 1e-9;  // rad
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// What the winding joints reach on a stretch.

@@ -82,57 +82,63 @@ bool LadderSearch::standsStill(const double* from, const double* to, const Stati
   return false;
 }
 
-/// [rad]
-double LadderSearch::sampleTurn(NodeId from, NodeId to, int per_row) const {
-  const int apart = std::abs(sampleOf(from) % per_row - sampleOf(to) % per_row);
-  return 2.0 * M_PI * std::min(apart, per_row - apart) / per_row;
+/// Of turning the yaw from one sample of a row to another.
+double LadderSearch::yawCost(int from, int to) const {
+  return yaw_costs_[static_cast<std::size_t>(std::abs(from - to))];
 }
 
-void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot,
-                           const StationMotion& motion, Reached& best) const {
-  if (!(cost_[from_slot] < best.cost)) return;
-  const double factor = motion.way == StationWay::Deposition ? 1.0 : kNever;
-  double turns = edge(before_.at(from_slot), rung.at(slot), factor);
-  const NodeId from = before_.idOf(from_slot);
-  const NodeId to = rung.idOf(slot);
-  if (rung.kind == SampleKind::Yaw) {
-    const double yaw = sampleTurn(from, to, samplesPerRow(rung));
-    turns += settings_.yaw_weight * yaw * yaw;
+void LadderSearch::setYawCosts(const Rung& rung) {
+  const auto per_row = static_cast<std::size_t>(samplesPerRow(rung));
+  if (rung.kind != SampleKind::Yaw || yaw_costs_.size() == per_row) return;
+  yaw_costs_.resize(per_row);
+  for (std::size_t apart = 0; apart < per_row; ++apart) {
+    const double yaw =
+        2.0 * M_PI * static_cast<double>(std::min(apart, per_row - apart)) / static_cast<double>(per_row);
+    yaw_costs_[apart] = settings_.yaw_weight * yaw * yaw;
   }
-  double cost = cost_[from_slot] + turns / motion.duration_s;
+}
+
+void LadderSearch::tryEdge(const Target& target, const Departure& from, Reached& best) const {
+  if (!(cost_[from.slot] < best.cost)) return;
+  const double* const start = before_.at(from.slot);
+  const double* const end = target.rung.at(target.slot);
+  const StationMotion& motion = target.motion;
+  double turns = edge(start, end, motion.way == StationWay::Deposition ? 1.0 : kNever);
+  if (target.rung.kind == SampleKind::Yaw) turns += yawCost(from.in_row, target.in_row);
+  double cost = cost_[from.slot] + turns / motion.duration_s;
   if (!(cost < best.cost)) return;
-  const bool is_free = rung.kind == SampleKind::FreeJoint || before_.kind == SampleKind::FreeJoint;
-  if (is_free && standsStill(before_.at(from_slot), rung.at(slot), motion)) {
+  const bool is_free = target.rung.kind == SampleKind::FreeJoint || before_.kind == SampleKind::FreeJoint;
+  if (is_free && standsStill(start, end, motion)) {
     cost += kStandingStill * turns / motion.duration_s;
     if (!(cost < best.cost)) return;
   }
-  if (branchOf(from) != branchOf(to) && !crossing_(before_.at(from_slot), rung.at(slot))) return;
-  best = {cost, from};
+  if (branchOf(from.id) != target.branch && !crossing_(start, end)) return;
+  best = {cost, from.id};
 }
 
-void LadderSearch::reach(const Rung& rung, std::size_t slot, const StationMotion& motion,
-                         Reached& best) const {
-  const NodeId to = rung.idOf(slot);
+void LadderSearch::reach(const Target& target, Reached& best) const {
   const int per_row = samplesPerRow(before_);
-  const bool is_alike = areAlike(before_, rung);
-  const Window rows = windowAbout(sampleOf(to) / per_row, before_.rows, is_alike ? kRowReach : before_.rows);
-  const Window in_row =
-      windowAbout(sampleOf(to) % per_row, per_row, is_alike ? settings_.yaw_reach : per_row);
+  const bool is_alike = areAlike(before_, target.rung);
+  const int sample = sampleOf(target.rung.idOf(target.slot));
+  const Window rows = windowAbout(sample / per_row, before_.rows, is_alike ? kRowReach : before_.rows);
+  const Window in_row = windowAbout(sample % per_row, per_row, is_alike ? settings_.yaw_reach : per_row);
   for (int r = 0; r < rows.count; ++r) {
     const int row = (rows.first + r) % before_.rows;
     for (int s = 0; s < in_row.count; ++s)
-      reachFrom(rung, slot, row * per_row + (in_row.first + s) % per_row, motion, best);
+      reachFrom(target, row * per_row + (in_row.first + s) % per_row, best);
   }
 }
 
 /// From all nodes of a sample that may be joined to a node.
-void LadderSearch::reachFrom(const Rung& rung, std::size_t slot, int sample, const StationMotion& motion,
-                             Reached& best) const {
-  const int own = branchOf(rung.idOf(slot));
-  if (own < before_.branches) tryEdge(rung, slot, before_.slot(sample, own), motion, best);
-  if (!crossing_ || rung.kind == SampleKind::Yaw) return;
+void LadderSearch::reachFrom(const Target& target, int sample, Reached& best) const {
+  const int in_row = sample % target.per_row;
+  const auto tryFrom = [&](int branch) {
+    tryEdge(target, {before_.slot(sample, branch), nodeId(sample, branch), in_row}, best);
+  };
+  if (target.branch < before_.branches) tryFrom(target.branch);
+  if (!crossing_ || target.rung.kind == SampleKind::Yaw) return;
   for (int branch = 0; branch < before_.branches; ++branch)
-    if (branch != own) tryEdge(rung, slot, before_.slot(sample, branch), motion, best);
+    if (branch != target.branch) tryFrom(branch);
 }
 
 /// The nodes that a travel may set out from.
@@ -153,17 +159,28 @@ std::vector<std::size_t> LadderSearch::departures(std::size_t nodes) const {
 void LadderSearch::overTravel(const Rung& rung, const StationMotion& motion,
                               std::vector<Reached>& reached) const {
   const std::vector<std::size_t> from_slots = departures(reached.size());
+  const int per_row = samplesPerRow(rung);
+  const bool is_turned = rung.kind == SampleKind::Yaw && areAlike(before_, rung);
   for (std::size_t slot = 0; slot < reached.size(); ++slot) {
     if (!exists(rung, slot)) continue;
+    const int in_row = sampleOf(rung.idOf(slot)) % per_row;
     for (const std::size_t from : from_slots) {
       double turns = edge(before_.at(from), rung.at(slot), kNever);
-      if (rung.kind == SampleKind::Yaw && areAlike(before_, rung)) {
-        const double yaw = sampleTurn(before_.idOf(from), rung.idOf(slot), samplesPerRow(rung));
-        turns += settings_.yaw_weight * yaw * yaw;
-      }
+      if (is_turned) turns += yawCost(sampleOf(before_.idOf(from)) % per_row, in_row);
       const double cost = cost_[from] + settings_.branch_change_cost + turns / motion.duration_s;
       if (cost < reached[slot].cost) reached[slot] = {cost, before_.idOf(from)};
     }
+  }
+}
+
+/// All nodes of a rung, within branches and over steady crossings.
+void LadderSearch::reachAll(const Rung& rung, const StationMotion& motion,
+                            std::vector<Reached>& reached) const {
+  const int per_row = samplesPerRow(rung);
+  for (std::size_t slot = 0; slot < reached.size(); ++slot) {
+    if (!exists(rung, slot)) continue;
+    const NodeId id = rung.idOf(slot);
+    reach({rung, slot, branchOf(id), sampleOf(id) % per_row, per_row, motion}, reached[slot]);
   }
 }
 
@@ -176,9 +193,9 @@ LadderSearch::Link LadderSearch::advance(Rung rung, const StationMotion& motion)
     return Link::Empty;
   }
   std::vector<Reached> reached(rung.penalty.size(), {kNever, kNoNode});
+  setYawCosts(rung);
   if (!is_first) {
-    for (std::size_t slot = 0; slot < reached.size(); ++slot)
-      if (exists(rung, slot)) reach(rung, slot, motion, reached[slot]);
+    reachAll(rung, motion, reached);
     if (motion.way == StationWay::ClearTravel && settings_.branch_change == BranchChange::OnTravel)
       overTravel(rung, motion, reached);
   }

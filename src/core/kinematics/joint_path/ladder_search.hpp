@@ -65,14 +65,30 @@ class LadderSearch {
     NodeId from;
   };
 
+  /// A node that edges lead to.
+  struct Target {
+    const Rung& rung;
+    std::size_t slot = 0;
+    int branch = 0;
+    int in_row = 0;   ///< number of its sample within its row
+    int per_row = 1;  ///< samples of its rung
+    const StationMotion& motion;
+  };
+  /// A node that an edge sets out from.
+  struct Departure {
+    std::size_t slot = 0;
+    NodeId id = kNoNode;
+    int in_row = 0;  ///< number of its sample within a row as long as the target's
+  };
+
   double edge(const double* from, const double* to, double most_turn_factor) const;
   bool standsStill(const double* from, const double* to, const StationMotion& motion) const;
-  double sampleTurn(NodeId from, NodeId to, int per_row) const;
-  void reach(const Rung& rung, std::size_t slot, const StationMotion& motion, Reached& best) const;
-  void reachFrom(const Rung& rung, std::size_t slot, int sample, const StationMotion& motion,
-                 Reached& best) const;
-  void tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot, const StationMotion& motion,
-               Reached& best) const;
+  double yawCost(int from, int to) const;
+  void setYawCosts(const Rung& rung);
+  void reachAll(const Rung& rung, const StationMotion& motion, std::vector<Reached>& reached) const;
+  void reach(const Target& target, Reached& best) const;
+  void reachFrom(const Target& target, int sample, Reached& best) const;
+  void tryEdge(const Target& target, const Departure& from, Reached& best) const;
   void overTravel(const Rung& rung, const StationMotion& motion, std::vector<Reached>& reached) const;
   std::vector<std::size_t> departures(std::size_t nodes) const;
   void finishBefore();
@@ -85,6 +101,7 @@ class LadderSearch {
   std::vector<double> weights_;
   std::vector<double> half_periods_;
   std::vector<double> most_turn_;
+  std::vector<double> yaw_costs_;  ///< by how many samples apart, of the newest rung of yaws
   Rung before_;
   std::vector<double> cost_;
   std::vector<RungRecord> records_;

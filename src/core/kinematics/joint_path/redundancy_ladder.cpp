@@ -20,7 +20,6 @@ namespace {
 constexpr double kLandmarkSpacing = 10.0;       // mm: an arm hardly moves over it
 constexpr double kLandmarkTurn = 0.2;           // rad of the nozzle: the same
 constexpr std::size_t kMostNodes = 64'000'000;  // 128 MB
-constexpr std::size_t kUsualBranches = 8;
 constexpr int kFewestYaws = 8;
 constexpr std::size_t kLandmarkBlock = 32;  // rungs held at a time
 
@@ -96,7 +95,7 @@ Rung inRows(const std::vector<Rung>& rows) {
 /// As many yaws as a node's number and the memory allow.
 JointPathSettings coarseSettings(JointPathSettings settings, std::size_t landmarks) {
   const auto rows = static_cast<std::size_t>(settings.redundancy_samples);
-  const std::size_t affordable = kMostNodes / (landmarks * rows * kUsualBranches);
+  const std::size_t affordable = kMostNodes / (landmarks * rows * static_cast<std::size_t>(kUsualBranches));
   const int most = (kMostSamples - 1) / settings.redundancy_samples;
   const int yaws = std::clamp(static_cast<int>(std::min<std::size_t>(affordable, kMostSamples)),
                               std::min(kFewestYaws, most), most);

@@ -17,6 +17,7 @@ enum class SampleKind : std::uint8_t {
 /// Number of a node within its rung, in 2 bytes: sample * kMostBranches + branch.
 using NodeId = std::uint16_t;
 constexpr int kMostBranches = 128;
+constexpr int kUsualBranches = 8;  ///< of an arm
 constexpr int kMostSamples = 511;  ///< of all rows together
 constexpr NodeId kNoNode = 0xFFFF;
 

@@ -28,6 +28,33 @@ Eigen::Isometry3d yawed(const Eigen::Isometry3d& bed_from_nozzle, double yaw) {
   return turned;
 }
 
+/// Without nodes.
+Rung roomFor(SampleKind kind, int samples, int branches, std::size_t joints) {
+  Rung rung;
+  rung.kind = kind;
+  rung.samples = samples;
+  rung.joints = static_cast<int>(joints);
+  rung.branches = branches;
+  const std::size_t nodes = rung.slot(rung.samples, 0);
+  rung.values.resize(nodes * static_cast<std::size_t>(rung.joints));
+  rung.penalty.assign(nodes, std::numeric_limits<double>::infinity());
+  return rung;
+}
+
+/// The same nodes, with room for another number of branches.
+Rung withBranches(const Rung& from, int branches) {
+  Rung rung = roomFor(from.kind, from.samples, branches, static_cast<std::size_t>(from.joints));
+  const auto per_sample = static_cast<std::ptrdiff_t>(std::min(from.branches, branches));
+  for (int s = 0; s < from.samples; ++s) {
+    const auto to = static_cast<std::ptrdiff_t>(rung.slot(s, 0));
+    const auto own = static_cast<std::ptrdiff_t>(from.slot(s, 0));
+    std::copy_n(from.penalty.begin() + own, per_sample, rung.penalty.begin() + to);
+    std::copy_n(from.values.begin() + own * from.joints, per_sample * from.joints,
+                rung.values.begin() + to * rung.joints);
+  }
+  return rung;
+}
+
 std::string marginText(double margin) { return angleText(std::asin(std::clamp(margin, 0.0, 1.0))); }
 
 }  // namespace
@@ -145,29 +172,27 @@ double RungSolver::penaltyOf(const JointValues& values) const {
   return penalty;
 }
 
+void RungSolver::addNode(const InverseSolution& solution, std::size_t slot, Rung& rung) const {
+  if (!isAllowed(solution.values)) return;
+  rung.penalty[slot] = penaltyOf(solution.values);
+  std::copy_n(solution.values.data(), ranges_.size(),
+              rung.values.begin() + static_cast<std::ptrdiff_t>(slot * ranges_.size()));
+}
+
 Rung RungSolver::solve(const Station& station) const {
   const Asked asked = askedAt(station);
-  Rung rung;
-  rung.kind = asked.kind;
-  rung.samples = asked.kind == SampleKind::Single ? 1 : settings_.yaw_samples;
-  rung.joints = static_cast<int>(ranges_.size());
-  std::vector<InverseSolutions> found(static_cast<std::size_t>(rung.samples));
-  for (int s = 0; s < rung.samples; ++s) {
-    InverseSolutions& here = found[static_cast<std::size_t>(s)];
-    here = solutionsAt(asked, coordinateOf(asked.kind, nodeId(s, 0)));
-    for (const InverseSolution& solution : here) rung.branches = std::max(rung.branches, solution.branch + 1);
-  }
-  const std::size_t nodes = rung.slot(rung.samples, 0);
-  rung.values.resize(nodes * ranges_.size());
-  rung.penalty.assign(nodes, std::numeric_limits<double>::infinity());
-  for (int s = 0; s < rung.samples; ++s)
-    for (const InverseSolution& solution : found[static_cast<std::size_t>(s)]) {
-      if (!isAllowed(solution.values)) continue;
-      const std::size_t slot = rung.slot(s, solution.branch);
-      rung.penalty[slot] = penaltyOf(solution.values);
-      std::copy_n(solution.values.data(), ranges_.size(),
-                  rung.values.begin() + static_cast<std::ptrdiff_t>(slot * ranges_.size()));
+  const int samples = asked.kind == SampleKind::Single ? 1 : settings_.yaw_samples;
+  Rung rung = roomFor(asked.kind, samples, kUsualBranches, ranges_.size());
+  int branches = 0;
+  for (int s = 0; s < samples; ++s) {
+    const InverseSolutions found = solutionsAt(asked, coordinateOf(asked.kind, nodeId(s, 0)));
+    for (const InverseSolution& solution : found) {
+      branches = std::max(branches, solution.branch + 1);
+      if (branches > rung.branches) rung = withBranches(rung, branches);
+      addNode(solution, rung.slot(s, solution.branch), rung);
     }
+  }
+  if (branches != rung.branches) return withBranches(rung, branches);
   return rung;
 }
 

@@ -61,6 +61,7 @@ class RungSolver {
                            const JointValues& near) const;
   JointValues withFree(JointValues near, double free_value) const;
   InverseSolutions solutionsAt(const Asked& asked, double coordinate) const;
+  void addNode(const InverseSolution& solution, std::size_t slot, Rung& rung) const;
   bool isWithinLimits(const JointValues& values) const;
   double penaltyOf(const JointValues& values) const;
   std::string headHindrance(const Station& station) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "kinematics/joint_path/ladder_search.hpp"
 #include "kinematics/joint_path/station_joints.hpp"
@@ -73,8 +75,9 @@ StationFault jump(const StationTask& task, std::size_t station, const LadderSear
 /// The search, a block of rungs at a time.
 class BlockSearch {
  public:
-  BlockSearch(const StationTask& task, StationWayThrough& way, const Progress& progress)
+  BlockSearch(const StationTask& task, RungStore& rungs, StationWayThrough& way, const Progress& progress)
       : task_(task),
+        rungs_(rungs),
         way_(way),
         progress_(progress),
         search_(task.solver.ranges(), task.settings, HalfWayTest(task.model, task.solver.ranges())) {}
@@ -82,6 +85,7 @@ class BlockSearch {
   /// Solves the rungs from a station on while those solved before are searched.
   void step(std::size_t first) {
     inParallel([&] { solveFrom(first); }, [&] { searchReady(); });
+    keepSolved(first);
     std::swap(ready_, coming_);
   }
 
@@ -91,11 +95,25 @@ class BlockSearch {
   void solveFrom(std::size_t first) {
     const std::size_t count = task_.stations.size();
     coming_.resize(std::min(kBlock, count - std::min(first, count)));
+    solved_.assign(coming_.size(), std::nullopt);
     // A block of an arm that is solved by iteration takes minutes.
     CancelOnly silent(progress_);
     parallelFor(
-        coming_.size(), [&](std::size_t i) { coming_[i] = task_.solver.solve(task_.stations[first + i]); },
-        silent, kStage);
+        coming_.size(), [&](std::size_t i) { solve(task_.stations[first + i], i); }, silent, kStage);
+  }
+
+  void solve(const Station& station, std::size_t i) {
+    if (std::optional<Rung> kept = rungs_.find(station)) {
+      coming_[i] = *std::move(kept);
+      return;
+    }
+    coming_[i] = task_.solver.solve(station);
+    if (coming_[i].samples > 1 && !rungs_.isFull()) solved_[i].emplace(coming_[i]);
+  }
+
+  void keepSolved(std::size_t first) {
+    for (std::size_t i = 0; i < solved_.size(); ++i)
+      if (solved_[i]) rungs_.add(task_.stations[first + i], *std::move(solved_[i]));
   }
 
   void searchReady() {
@@ -112,21 +130,23 @@ class BlockSearch {
   }
 
   const StationTask& task_;
+  RungStore& rungs_;
   StationWayThrough& way_;
   const Progress& progress_;
   LadderSearch search_;
   std::size_t searched_ = 0;
   std::vector<Rung> ready_;
   std::vector<Rung> coming_;
+  std::vector<std::optional<KeptRung>> solved_;  ///< those of them that are to be kept
 };
 
 }  // namespace
 
-StationWayThrough searchLadder(const StationTask& task, Progress& progress) {
+StationWayThrough searchLadder(const StationTask& task, RungStore& rungs, Progress& progress) {
   const std::size_t count = task.stations.size();
   StationWayThrough way;
   way.stations.resize(count);
-  BlockSearch search(task, way, progress);
+  BlockSearch search(task, rungs, way, progress);
   for (std::size_t first = 0; first < count + kBlock; first += kBlock) {
     throwIfCancelled(progress, kStage);
     search.step(first);

@@ -8,6 +8,7 @@
 
 #include "kinematics/joint_path/rung.hpp"
 #include "kinematics/joint_path/rung_solver.hpp"
+#include "kinematics/joint_path/rung_store.hpp"
 #include "kinematics/joint_path/stations.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
@@ -43,8 +44,9 @@ struct StationWayThrough {
   std::vector<StationFault> faults;  ///< stations without a node, and jumps, in the order of stations
 };
 
-/// Searches the cheapest way. Rungs are computed in parallel and in blocks, so that only few are in memory.
-StationWayThrough searchLadder(const StationTask& task, Progress& progress);
+/// Searches the cheapest way. Rungs are computed in parallel and in blocks, so that only few are in memory
+/// beside those of the store.
+StationWayThrough searchLadder(const StationTask& task, RungStore& rungs, Progress& progress);
 
 /// Smooths the sampled angles of each run of stations in one branch. A run is left unchanged if the smoothed
 /// angles cannot be reached at one of its stations, or would turn a joint by more than the settings allow.

@@ -13,9 +13,7 @@ namespace lamina {
 
 namespace {
 
-constexpr double kTurn = 2.0 * M_PI;
 constexpr int kDigits = 4;
-constexpr double kLimitTolerance = 1e-9;  // mm, rad: rounding of inverse solutions
 
 }  // namespace
 
@@ -30,30 +28,13 @@ std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints) {
     range.is_rotary = joint.kind == JointKind::Rotary;
     range.low = joint.low;
     range.high = joint.high;
-    range.winds = range.is_rotary && joint.high - joint.low >= kTurn - kLimitTolerance;
+    range.winds = range.is_rotary && joint.high - joint.low >= 2.0 * M_PI - kLimitTolerance;
     const double middle = 0.5 * (joint.low + joint.high);
     range.middle = std::isfinite(middle) ? middle : 0.0;
     range.max_speed = joint.max_speed;
     ranges.push_back(range);
   }
   return ranges;
-}
-
-double nearMiddle(const JointRange& range, double value) {
-  if (!range.is_rotary) return value;
-  const double offset = value - range.middle;
-  if (offset > -M_PI && offset <= M_PI) return value;
-  return value - kTurn * std::ceil(offset / kTurn - 0.5);
-}
-
-bool isWithin(const JointRange& range, double value) {
-  return value >= range.low - kLimitTolerance && value <= range.high + kLimitTolerance;
-}
-
-double stepBetween(const JointRange& range, double from, double to) {
-  const double step = to - from;
-  if (!range.winds || (step > -M_PI && step <= M_PI)) return step;
-  return step - kTurn * std::ceil(step / kTurn - 0.5);
 }
 
 std::string angleText(double angle_rad) {

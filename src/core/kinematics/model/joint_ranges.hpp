@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct JointRange {
   double max_speed = 0.0;  ///< [mm/s or rad/s]
 };
 
+constexpr double kLimitTolerance = 1e-9;  ///< mm, rad: rounding of inverse solutions
+
 /// Ranges of joints.
 /// @throws InvalidInput naming the joint if the greatest speed of one is not positive
 std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints);
@@ -26,13 +29,24 @@ std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints);
 /// The value equal to the given one but for whole turns that is nearest to the middle of the limits. It is
 /// within the limits if any such value is. The value of a joint that slides stays as it is.
 /// @param value  [mm or rad]
-double nearMiddle(const JointRange& range, double value);
+inline double nearMiddle(const JointRange& range, double value) {
+  if (!range.is_rotary) return value;
+  const double offset = value - range.middle;
+  if (offset > -M_PI && offset <= M_PI) return value;
+  return value - 2.0 * M_PI * std::ceil(offset / (2.0 * M_PI) - 0.5);
+}
 
 /// Whether a value is within the limits, with a tolerance of 1e-9 mm or rad.
-bool isWithin(const JointRange& range, double value);
+inline bool isWithin(const JointRange& range, double value) {
+  return value >= range.low - kLimitTolerance && value <= range.high + kLimitTolerance;
+}
 
 /// Difference from one value to another [mm or rad]; of a joint that winds by the shorter way.
-double stepBetween(const JointRange& range, double from, double to);
+inline double stepBetween(const JointRange& range, double from, double to) {
+  const double step = to - from;
+  if (!range.winds || (step > -M_PI && step <= M_PI)) return step;
+  return step - 2.0 * M_PI * std::ceil(step / (2.0 * M_PI) - 0.5);
+}
 
 /// "12.5 deg".
 std::string angleText(double angle_rad);

@@ -11,11 +11,13 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <memory>
+#include <mutex>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "lamina/geometry/spatial/solid_angle.hpp"
+#include "verification/collision/mesh_cells.hpp"
 
 namespace lamina {
 namespace {
@@ -51,17 +53,26 @@ Owned geometryOf(const MeshShape& shape) {
 
 struct FclShape final : CollisionShape {
   Owned geometry;
-  double margin = 0.0;                       ///< by which the geometry is larger [mm]
-  std::shared_ptr<const Mesh> mesh;          ///< whose surface alone the geometry is; none of solids
-  std::unique_ptr<const SolidAngle> inside;  ///< of the mesh
-  Point3 on_it = Point3::Zero();             ///< a point of the solid
+  double margin = 0.0;               ///< by which the geometry is larger [mm]
+  std::shared_ptr<const Mesh> mesh;  ///< whose surface alone the geometry is; none of solids
+  Point3 on_it = Point3::Zero();     ///< a point of the solid
+
+  /// Of the mesh; made when first asked for, since much that is checked never comes near.
+  const MeshCells& cells() const {
+    std::call_once(is_divided_, [this] { cells_ = std::make_unique<const MeshCells>(*mesh); });
+    return *cells_;
+  }
+
+ private:
+  mutable std::once_flag is_divided_;
+  mutable std::unique_ptr<const MeshCells> cells_;
 };
 
 /// Whether a solid of triangles swallows another whose surface it does not meet.
 bool swallows(const FclShape& shape, const Eigen::Isometry3d& pose, const Point3& point) {
   if (!shape.mesh) return false;
   const Point3 seen = pose.inverse() * point;
-  return shape.geometry->aabb_local.contain(seen) && shape.inside->isWithin(seen);
+  return shape.geometry->aabb_local.contain(seen) && shape.cells().isWithin(seen);
 }
 
 bool surfacesMeet(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
@@ -90,12 +101,10 @@ std::shared_ptr<const CollisionShape> shapeOf(const BodyShape& shape) {
   const auto* mesh = std::get_if<MeshShape>(&shape);
   if (mesh == nullptr) return made;
   made->on_it = mesh->hull->front();
-  if (mesh->is_hull) {
+  if (mesh->is_hull)
     made->margin = mesh->margin_mm;
-  } else {
+  else
     made->mesh = mesh->mesh;
-    made->inside = std::make_unique<const SolidAngle>(*made->mesh);
-  }
   return made;
 }
 
@@ -104,8 +113,19 @@ bool meet(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const Collis
   return collide(fclShape(a), pose_a, fclShape(b), pose_b);
 }
 
+/// Whether a box is so far from all triangles of a mesh that it meets none.
+bool isClearOf(const FclShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
+               const Eigen::Isometry3d& box_pose) {
+  if (!shape.mesh) return false;
+  const Eigen::Isometry3d seen = pose.inverse() * box_pose;
+  const Point3 reach = seen.linear().cwiseAbs() * (0.5 * size);
+  return shape.cells().isFarFrom({seen.translation() - reach, seen.translation() + reach});
+}
+
 bool meetsBox(const CollisionShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
               const Eigen::Isometry3d& box_pose) {
+  if (isClearOf(fclShape(shape), pose, size, box_pose))
+    return swallows(fclShape(shape), pose, box_pose.translation());
   FclShape box;
   box.geometry = std::make_unique<fcl::Boxd>(size);
   return collide(fclShape(shape), pose, box, box_pose);

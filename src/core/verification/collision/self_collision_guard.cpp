@@ -204,7 +204,8 @@ struct CollisionTable::Filling {
 
 std::size_t CollisionTable::Cells::cellOf(const JointValues& values) const {
   const double from_low = values[joint] - low;
-  const double within = from_low - kTurn * std::floor(from_low / kTurn);
+  const bool is_within = from_low >= 0.0 && from_low < kTurn;  // as values within limits mostly are
+  const double within = is_within ? from_low : from_low - kTurn * std::floor(from_low / kTurn);
   return std::min(count - 1, static_cast<std::size_t>(within / width));
 }
 

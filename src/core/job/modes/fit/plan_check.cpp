@@ -72,6 +72,7 @@ PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Pr
       lead_(lead),
       progress_(progress),
       model_(kinematicModelOf(request.job.settings.machine)),
+      machine_(*model_),
       joints_(jointsOf(request.job, *model_)),
       clearance_(request.job.settings.clearance) {
   if (limits == PlanLimits::AsRun) return;
@@ -81,7 +82,7 @@ PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Pr
 
 CheckedPlan PlanCheck::whole(Toolpath beads) const {
   const TravelsOverPart travels = lead_(beads);
-  MachineCheck check = checked(runOn(*model_, beads, request_.bed_from_part, joints_, progress_));
+  MachineCheck check = checked(runOn(machine_, beads, request_.bed_from_part, joints_, progress_));
   return {std::move(beads), travels, std::move(check)};
 }
 
@@ -89,14 +90,14 @@ CheckedPlan PlanCheck::again(Toolpath beads, const CheckedPlan& before) const {
   const TravelsOverPart travels = lead_(beads);
   const std::vector<LayerRange> stretches = changedStretches(before.toolpath, beads);
   const ToolpathExcerpt excerpt{beads, stretches};
-  MachineCheck check = checked(runOn(*model_, excerpt, request_.bed_from_part, joints_, progress_));
+  MachineCheck check = checked(runOn(machine_, excerpt, request_.bed_from_part, joints_, progress_));
   check.faults = replaced(before.check.faults, std::move(check.faults), stretches);
   check.collisions = replaced(before.check.collisions, std::move(check.collisions), stretches);
   return {std::move(beads), travels, std::move(check)};
 }
 
 MachineCheck PlanCheck::checked(const KinematicModelRun& run) const {
-  return checkRun(run, *model_, clearance_, progress_);
+  return checkRun(run, machine_, clearance_, progress_);
 }
 
 }  // namespace lamina

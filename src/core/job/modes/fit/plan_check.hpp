@@ -63,6 +63,7 @@ class PlanCheck {
   const LeadTravels& lead_;
   Progress& progress_;
   std::unique_ptr<KinematicModel> model_;
+  CheckedMachine machine_;
   JointPathSettings joints_;
   ClearanceSettings clearance_;
 };
