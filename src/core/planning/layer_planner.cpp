@@ -37,6 +37,7 @@
 #include "planning/seams/seam.hpp"
 #include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
+#include "planning/supports/laid_supports.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
 #include "planning/walls/walls.hpp"
@@ -87,7 +88,8 @@ class LayerPlanner {
         cover_ != nullptr ? *cover_->material : unite(simplify(contours, settings_.simplification_mm));
     setMaterial(material);
     if (aids_ != nullptr)
-      for (const AidRuns& aids : *aids_) addAids(aids);
+      for (const AidRuns& aids : *aids_)
+        if (!isSupport(aids)) addAids(aids);
     if (fill_.depositsDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<Polygon> islands;
     for (const Region& island : material) islands.push_back(seam_.placed(island.outer));

@@ -57,7 +57,7 @@ struct StackedLayer {
   /// Branches of a fill that grows from the layers above; null for other fills.
   const std::vector<Polyline>* branches = nullptr;
   const InfillGroup* group = nullptr;       ///< null if each layer has an infill of its own
-  const LayerAids* aids = nullptr;          ///< deposited first; null for none
+  const LayerAids* aids = nullptr;          ///< deposited first, but for supports; null for none
   const Regions* supports = nullptr;        ///< below an inclined layer, carried up to it; null for none
   std::vector<LayerVariant> variants = {};  ///< those with an area in it
 };

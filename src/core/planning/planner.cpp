@@ -38,6 +38,7 @@
 #include "planning/planned_aids.hpp"
 #include "planning/skins/roof_branches.hpp"
 #include "planning/skins/stack_covers.hpp"
+#include "planning/supports/laid_supports.hpp"
 #include "planning/supports/layers_below.hpp"
 #include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
@@ -223,7 +224,6 @@ class StackRelease {
   void layerIsPlanned(std::size_t index) {
     if (!plan_.stack.branches.empty()) plan_.stack.branches[index] = std::vector<Polyline>();
     if (!plan_.stack.groups.empty()) plan_.stack.groups[index] = InfillGroup();
-    if (!plan_.aids.layers.empty()) plan_.aids.layers[index] = LayerAids();
     drop(index);
     if (index > 0) drop(index - 1);
   }
@@ -488,6 +488,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   plan.supports = of_stack.aids.supports;
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
   const TravelSettings travel_settings = betweenLayers(of_settings.settings.travel);
+  laySupports(paths, std::exchange(of_stack.aids.layers, {}),
+              {of_settings.settings, on_bed.settings, travel_settings, context.anchor});
   const TravelMaker travel = context.lift ? spaceTravels(paths, travel_settings, of_settings.standing_mm)
                                           : levelTravels(travel_settings);
   if (context.strategy.link == LayerLink::Chained)

@@ -79,6 +79,11 @@ TEST(Zigzag, GoesRoundAHoleInTwoRunsBesideIt) {
   EXPECT_LE(paths.size(), 3U);
 }
 
+TEST(Zigzag, DoesNotJoinRunsOfTwoOutlines) {
+  const Regions islands = {{rectangle(0, 0.5, 5, 5.5), {}}, {rectangle(10, 0.5, 15, 5.5), {}}};
+  EXPECT_EQ(joinedRasterRuns(islands, requestOf(1.0, 0.0), 1000.0).size(), 2U);
+}
+
 TEST(Zigzag, FillsTwoIslandsApart) {
   const std::vector<FillPath> paths =
       rasterRuns({{rectangle(0, 0.5, 5, 5.5), {}}, {rectangle(10, 0.5, 15, 5.5), {}}}, requestOf(1.0, 0.0));
@@ -97,11 +102,17 @@ TEST(Zigzag, FollowsTheOutlineBetweenItsLines) {
   EXPECT_NEAR(totalLength(paths), 10 + 10 + 2 * 0.3 + 2 * std::hypot(0.5, 0.2), 1e-9);
 }
 
-TEST(Zigzag, DoesNotFollowALongWayRound) {
+TEST(Zigzag, FollowsALongWayRoundIfItMay) {
   // Between y = 1 and y = 2 both sides lead far out and back.
   const Polygon winged = {{0, 0.5},  {10, 0.5}, {10, 1.4}, {30, 1.5},  {10, 1.6},
                           {10, 2.5}, {0, 2.5},  {0, 1.6},  {-20, 1.5}, {0, 1.4}};
-  EXPECT_EQ(rasterRuns({{winged, {}}}, requestOf(1.0, 0.0)).size(), 2U);
+  const InfillRequest request = requestOf(1.0, 0.0);
+  EXPECT_EQ(rasterRuns({{winged, {}}}, request).size(), 2U);
+  const double way = 0.4 + 2 * std::hypot(20.0, 0.1) + 0.4;
+  EXPECT_EQ(joinedRasterRuns({{winged, {}}}, request, way - 0.01).size(), 2U);
+  const std::vector<FillPath> joined = joinedRasterRuns({{winged, {}}}, request, way + 0.01);
+  ASSERT_EQ(joined.size(), 1U);
+  EXPECT_NEAR(totalLength(joined), 10 + way + 10, 1e-9);
 }
 
 }  // namespace

@@ -30,6 +30,13 @@ TEST(Ordering, RunsParallelLinesToAndFro) {
   EXPECT_DOUBLE_EQ(travelLength(lines, order, {0, 0}), 3.0);
 }
 
+TEST(Ordering, EndsNearWhereTheNozzleGoesOn) {
+  // Two places as near to the start: 10 mm to the first, 20 mm to the other, and from there 10 or 30 mm on.
+  const std::vector<RunEnds> runs = {{{10, 0}, {10, 0}}, {{-10, 0}, {-10, 0}}};
+  EXPECT_EQ(orderRuns(runs, {0, 0}, Point2(20, 0)).back().run, 0U);
+  EXPECT_EQ(orderRuns(runs, {0, 0}, Point2(-20, 0)).back().run, 1U);
+}
+
 TEST(Ordering, OfNothingIsNothing) { EXPECT_TRUE(orderRuns({}, {1, 2}).empty()); }
 
 TEST(Ordering, CopesWithRunsInOnePlace) {

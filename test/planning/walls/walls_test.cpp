@@ -95,6 +95,32 @@ TEST(Walls, AreOneBeadWhereThereIsNoRoomForLoops) {
   EXPECT_EQ(walls.unprinted_mm2, 0.0);
 }
 
+/// A square of 20 mm with a fin of a bead's width on it.
+Regions withFin(double length_mm) {
+  return {{{{0, 0},
+            {20, 0},
+            {20, 20},
+            {10.4, 20},
+            {10.4, 20 + length_mm},
+            {10, 20 + length_mm},
+            {10, 20},
+            {0, 20}},
+           {}}};
+}
+
+TEST(Walls, HaveNoBeadInAFinThatIsShorterThanWide) {
+  EXPECT_TRUE(wallsIn(withFin(0.6), wallsOf(1)).walls[0].thin.empty()) << "0.2 mm between two round ends";
+  const std::vector<FillPath> thin = wallsIn(withFin(2.0), wallsOf(1)).walls[0].thin;
+  ASSERT_EQ(thin.size(), 1U);
+  EXPECT_GT(length(thin[0].points), 1.5);
+}
+
+TEST(Walls, KeepAShortBeadThatIsAllThereIs) {
+  const Walls walls = wallsIn({{rectangle(0, 0, 0.4, 0.6), {}}}, wallsOf(1));
+  ASSERT_EQ(walls.walls[0].thin.size(), 1U);
+  EXPECT_LT(length(walls.walls[0].thin[0].points), 0.4);
+}
+
 TEST(Walls, FillWhatIsLeftBetweenThemByABead) {
   // Two loops of 0.4 mm on each side leave 0.3 mm.
   const Walls walls = wallsIn({{rectangle(0, 0, 20, 1.9), {}}}, wallsOf(3));

@@ -12,6 +12,12 @@ namespace lamina {
 /// lie between two lines get none.
 std::vector<FillPath> rasterRuns(const Regions& centre_lines, const InfillRequest& request);
 
+/// The same runs joined further: from the end of one along the outline to that of another, if no line ends in
+/// between. Shorter ways are taken first.
+/// @param longest_mm  greatest length of such a way
+std::vector<FillPath> joinedRasterRuns(const Regions& centre_lines, const InfillRequest& request,
+                                       double longest_mm);
+
 /// `variableWidthRuns` if the fill is solid, otherwise `rasterRuns` where centre lines may run.
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,8 +88,9 @@ std::vector<OrderedRun> nearestNeighbours(const std::vector<RunEnds>& runs, cons
 
 class Improver {
  public:
-  Improver(const std::vector<RunEnds>& runs, std::vector<OrderedRun>& order, const Point2& from)
-      : runs_(runs), order_(order), from_(from), links_(order.size() + 1) {
+  Improver(const std::vector<RunEnds>& runs, std::vector<OrderedRun>& order, const Point2& from,
+           const std::optional<Point2>& to)
+      : runs_(runs), order_(order), from_(from), to_(to), links_(order.size() + 1) {
     findLinks(0, order.size());
   }
 
@@ -111,9 +113,10 @@ class Improver {
   const Point2& start(std::size_t i) const { return startOf(runs_, order_[i]); }
   const Point2& end(std::size_t i) const { return endOf(runs_, order_[i]); }
 
-  /// Distance from a point to the start of run i; nothing follows the last run.
+  /// Distance from a point to the start of run i, or to what follows the last run.
   double onward(const Point2& point, std::size_t i) const {
-    return i < order_.size() ? (start(i) - point).norm() : 0.0;
+    if (i < order_.size()) return (start(i) - point).norm();
+    return to_ ? (*to_ - point).norm() : 0.0;
   }
 
   /// Of the travels to runs that have changed their places, and to the one behind them.
@@ -157,14 +160,20 @@ class Improver {
   const std::vector<RunEnds>& runs_;
   std::vector<OrderedRun>& order_;
   Point2 from_;
-  std::vector<double> links_;  ///< length of the travel to each run; 0 behind the last
+  std::optional<Point2> to_;
+  std::vector<double> links_;  ///< length of the travel to each run, and to what follows the last
 };
 
 }  // namespace
 
 std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from) {
+  return orderRuns(runs, from, std::nullopt);
+}
+
+std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from,
+                                  const std::optional<Point2>& to) {
   std::vector<OrderedRun> order = nearestNeighbours(runs, from);
-  Improver(runs, order, from).improve();
+  Improver(runs, order, from, to).improve();
   return order;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
@@ -27,6 +28,11 @@ struct OrderedRun {
 ///
 /// @param from  place from which the nozzle comes [mm]
 std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from);
+
+/// The same with the travel from the last run to where the nozzle goes on.
+/// @param to  that place [mm]; none if it does not matter
+std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from,
+                                  const std::optional<Point2>& to);
 
 /// Length of the travels of an order [mm], including the one to its first run.
 double travelLength(const std::vector<RunEnds>& runs, const std::vector<OrderedRun>& order,

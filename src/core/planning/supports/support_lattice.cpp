@@ -18,10 +18,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kMostlyOn = 0.5;    // of an interface on the one below
-constexpr double kWithinRim = 1e-3;  // mm: the outermost lines from the border that they follow
-constexpr double kStub = 2.25;       // pitches, two bead widths: a shorter line of a lattice is a needle
-constexpr double kRimLines = 1.5;    // from the rim of an interface to its middle: narrower ones are all rim
+constexpr double kMostlyOn = 0.5;     // of an interface on the one below
+constexpr double kWithinRim = 1e-3;   // mm: the outermost lines from the border that they follow
+constexpr double kStub = 2.25;        // pitches, two bead widths: a shorter line of a lattice is a needle
+constexpr double kRimLines = 1.5;     // from the rim of an interface to its middle: narrower ones are all rim
+constexpr double kLongestJoin = 3.5;  // distances of lines, along the border from one run to another
 
 using SharedRuns = std::shared_ptr<const std::vector<FillPath>>;
 
@@ -43,11 +44,16 @@ Point2 phaseOf(const LatticeLines& lines) {
   return std::remainder(lines.away.dot(across), lines.spacing_mm) * across;
 }
 
+/// A join is deposited where a retracted travel would lead along the same border.
+std::vector<FillPath> joinedRuns(const Regions& centred, const InfillRequest& request) {
+  return joinedRasterRuns(centred, request, kLongestJoin * request.spacing_mm);
+}
+
 /// Along the lines that there are without moving anything towards the origin.
 std::vector<FillPath> rasterAtPlace(const Regions& centred, const InfillRequest& request,
                                     const Point2& phase) {
-  if (phase.isZero()) return rasterRuns(centred, request);
-  std::vector<FillPath> runs = rasterRuns(moved(centred, phase), request);
+  if (phase.isZero()) return joinedRuns(centred, request);
+  std::vector<FillPath> runs = joinedRuns(moved(centred, phase), request);
   for (FillPath& run : runs)
     for (Point2& point : run.points) point -= phase;
   return runs;
@@ -88,7 +94,7 @@ std::vector<FillPath> rasterFromRimToRim(const Regions& centred, InfillRequest r
   if (!(way > 0.0)) return {};
   request.spacing_mm = way / std::ceil(way / request.spacing_mm);
   const Point2 away = (low + kWithinRim) * across;
-  std::vector<FillPath> runs = rasterRuns(moved(centred, -away), request);
+  std::vector<FillPath> runs = joinedRuns(moved(centred, -away), request);
   for (FillPath& run : runs)
     for (Point2& point : run.points) point += away;
   return runs;

@@ -72,6 +72,8 @@ constexpr double kCorners = 0.1;
 /// In squared pitches: smaller narrow places get no bead, but for those that are seen from outside.
 constexpr double kLeastGap = 0.3;
 constexpr double kLeastFin = 0.05;
+/// In bead widths: a shorter run in a corner of the outer wall is left out.
+constexpr double kLeastRun = 1.0;
 /// In squared pitches: a smaller narrow place is left to the lines beside it, such as a corner is.
 constexpr double kLeastNarrow = 4.0;
 
@@ -144,11 +146,24 @@ class WallMaker {
       const Regions inner = offset(left, -pitch_);
       const double least_gap = (k == 0 ? kLeastFin : kLeastGap) * pitch_ * pitch_;
       const SplitArea split = splitByThickness(left, inner, pitch_, least_gap);
-      walls.walls.push_back({offset(split.wide, -0.5 * pitch_),
-                             beadsAlong(split.narrow, k == 0 ? PathRole::OuterWall : PathRole::GapFill)});
+      Wall wall{offset(split.wide, -0.5 * pitch_),
+                beadsAlong(split.narrow, k == 0 ? PathRole::OuterWall : PathRole::GapFill)};
+      if (k == 0 && !wall.centre_lines.empty()) wall.thin = withoutStubs(std::move(wall.thin));
+      walls.walls.push_back(std::move(wall));
       left = inner;
     }
     walls.infill = overlap_ > 0.0 ? offset(left, overlap_) : std::move(left);
+  }
+
+  /// A run that is shorter than a bead is wide is no more than its two ends, one of which lies in the bead
+  /// beside it.
+  std::vector<FillPath> withoutStubs(std::vector<FillPath> runs) const {
+    const double least_mm = kLeastRun * settings_.bead.width_mm;
+    runs.erase(
+        std::remove_if(runs.begin(), runs.end(),
+                       [&](const FillPath& run) { return !run.is_closed && length(run.points) < least_mm; }),
+        runs.end());
+    return runs;
   }
 
   double leastThickness() const { return settings_.walls.narrowest * pitch_ + 2.0 * beyond_; }
