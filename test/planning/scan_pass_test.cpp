@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-const ScanSight kOffset{{25.0, 0.0}, {}};
+const ScanSight kOffset{{25.0, 0.0}, {0.0, 0.0}};
 
 Path bead(const Point3& start, const Point3& end) {
   Path path;
