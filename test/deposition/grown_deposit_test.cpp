@@ -250,6 +250,23 @@ TEST(GrownDeposit, OfAPressedProcessIsAsHighAsTheNozzleAndNarrower) {
 }
 
 /// What heat is left after ten seconds lets the second layer settle.
+/// Filament on cells a quarter as wide: the ground is found wherever its middle lies among them.
+TEST(GrownDeposit, OfAPressedProcessFindsTheGroundOfNarrowBeads) {
+  PlantSettings plant;
+  plant.pressed = true;
+  plant.gain = 0.85;
+  for (int i = 0; i < 10; ++i) {
+    GrownDeposit deposit(HeightMap(heightGrid({Point2(0, 0), Point2(20, 4)}, 0.1), 0.0), plant, {});
+    const double y = 2.0 + 0.01 * i;
+    for (int layer = 1; layer <= 4; ++layer) {
+      const double z = 0.2 * layer;
+      deposit.lay({{2, y, z}, {18, y, z}, 0.0714 * 16.0, 0.0, 1.0});
+      deposit.endBead();
+    }
+    EXPECT_NEAR(deposit.surface().nearest(Point2(10, y)), 0.8, 0.01) << y;
+  }
+}
+
 TEST(GrownDeposit, OfAPressedProcessSettles) {
   PlantSettings plant;
   plant.pressed = true;

@@ -295,7 +295,9 @@ void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sec
 /// comes out.
 void GrownDeposit::press(const Stations& stations, const std::vector<double>& sections, double width_mm) {
   const std::size_t count = stations.place.size();
-  const std::vector<double> ground = groundUnder(coveredCells(stations, kMiddle * width_mm), count);
+  // Narrower than a cell is across corners, it might hold no cell's middle, and there would be no ground.
+  const double middle_mm = std::max(kMiddle * width_mm, std::sqrt(2.0) * surface_.grid().cell_mm);
+  const std::vector<double> ground = groundUnder(coveredCells(stations, middle_mm), count);
   const PlantBead bead = beadOf(stations);
   const double settled_mm = plant_.settling(bead) * planned_mm_;
   std::vector<BeadSection> pressed(count);

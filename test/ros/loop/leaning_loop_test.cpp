@@ -2,32 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layers at 45 deg in closed loop through all nodes, on a machine whose nozzle leans and whose sensor looks
 // straight down.
-#include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
-#include <ros/ros.h>
-#include <sensor_msgs/PointCloud2.h>
 
 #include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "conversions.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kinematics/model/sensor_lean.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
-#include "latched.hpp"
-#include "messages.hpp"
-#include "names.hpp"
-#include "point_cloud.hpp"
-#include "ros/wait_until.hpp"
+#include "ros/loop/streamed_cell.hpp"
 
 namespace lamina {
 namespace {
 
 using test::waitUntil;
-using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
 
 constexpr double kLayer = 1.5;    // mm
 constexpr double kWidth = 3.0;    // mm
@@ -87,38 +78,10 @@ struct TopErrors {
   double flatness_mm = 0.0;  ///< the same without its mean
 };
 
-/// A cell of a namespace of its own.
-class LeaningCell {
+/// A cell, and the top of the wall in it.
+class LeaningCell : public test::StreamedCell {
  public:
-  explicit LeaningCell(const std::string& space)
-      : node_(space), client_(node_, names::kStreamProgram, false) {
-    const boost::function<void(const lamina_msgs::LoopFiguresConstPtr&)> on_layer =
-        [this](const auto& layer) { layers.push_back(*layer); };
-    const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_deposited =
-        [this](const auto& cloud) { deposited_ = cloud; };
-    layers_ = node_.subscribe<lamina_msgs::LoopFigures>(names::kLoopFigures, 0, on_layer);
-    surface_ = node_.subscribe<sensor_msgs::PointCloud2>(names::kDeposited, 1, on_deposited);
-    toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
-  }
-
-  void print(const MachineToolpath& placed) {
-    // Streamer, loop and publisher of tf.
-    EXPECT_TRUE(waitUntil([&] { return toolpath_.getNumSubscribers() >= 3 && client_.isServerConnected(); }));
-    EXPECT_TRUE(waitUntil([&] { return layers_.getNumPublishers() > 0 && surface_.getNumPublishers() > 0; }));
-    publishLatched(toolpath_, toMessage(placed));
-    goal_.toolpath_id = placed.id;
-    client_.sendGoal(goal_);
-  }
-  bool hasEnded() {
-    return waitUntil([&] {
-      if (!client_.getState().isDone()) return false;
-      // The goal may have come ahead of the toolpath.
-      const bool was_ahead = client_.getState().getText().find("none was published") != std::string::npos;
-      if (was_ahead) client_.sendGoal(goal_);
-      return layers.size() == kLayers;
-    });
-  }
-  lamina_msgs::Status status() const { return client_.getResult()->status; }
+  using StreamedCell::StreamedCell;
 
   /// Whether the surface that was published last has the last bead to its end.
   bool isTopThere() {
@@ -140,29 +103,18 @@ class LeaningCell {
     return {std::sqrt(squares / count), std::sqrt(squares / count - sum * sum / (count * count))};
   }
 
-  std::vector<lamina_msgs::LoopFigures> layers;
-
  private:
   /// Heights along the layers' normal on the last bead, by millimetre: from its middle to the end of its
   /// middle third, where the bead below does not reach.
   std::map<int, std::vector<double>> heightsOfTop() const {
     std::map<int, std::vector<double>> heights;
-    if (!deposited_) return heights;
-    const Eigen::Isometry3d layers_from_bed = bedFromLayers().inverse();
     const double middle = kLayer * static_cast<double>(kLayers - 1);
-    for (const Point3& point : fromMessage(*deposited_, layers_from_bed).points)
+    for (const Point3& point : surface(bedFromLayers().inverse()))
       if (point.y() > middle && point.y() < middle + kWidth / 6.0 && point.x() > 0.5 &&
           point.x() < kLength - 0.5)
         heights[static_cast<int>(point.x())].push_back(point.z());
     return heights;
   }
-
-  ros::NodeHandle node_;
-  Client client_;
-  lamina_msgs::StreamProgramGoal goal_;
-  sensor_msgs::PointCloud2ConstPtr deposited_;
-  ros::Subscriber layers_, surface_;
-  ros::Publisher toolpath_;
 };
 
 TEST(LeaningLoop, ComesNearerToThePlanAndFlatter) {
