@@ -162,6 +162,74 @@ TEST(GrownDeposit, OfALeaningWallReachesOutOverTheBeadBelow) {
 
 /// Of a stadium of 3 x 1.5 mm a fifth less is as high, and narrower by a fifth of its section over its
 /// height.
+/// A bed at 45 deg, as it is along a tool axis that leans: as much lower as farther along y from 10 mm.
+HeightMap slope() {
+  HeightMap ground = bed();
+  for (std::size_t cell = 0; cell < ground.grid().cellCount(); ++cell)
+    ground.set(cell, kX - ground.grid().centre(cell).y());
+  return ground;
+}
+
+/// A wall over the slope whose beads, of a stadium's section, lie as much farther along y from layer to
+/// layer.
+class WallOnSlope {
+ public:
+  WallOnSlope(double first_y, double each_y, const GrownDepositSettings& settings = {})
+      : deposit_(slope(), PlantSettings(), settings), first_y_(first_y), each_y_(each_y) {}
+
+  void layLayers(int layers) {
+    constexpr double kSection = (kWidth - kLayer) * kLayer + 0.25 * M_PI * kLayer * kLayer;
+    for (int i = 0; i < layers; ++i) {
+      const double y = first_y_ + each_y_ * layer_;
+      const double z = kLayer * ++layer_;
+      deposit_.lay({{kX, y, z}, {kX + kLength, y, z}, kSection * kLength, 0.0, 1.0});
+      deposit_.endBead();
+    }
+  }
+  double topOfLast() const {
+    return deposit_.surface().nearest(Point2(kX + 30.0, first_y_ + each_y_ * (layer_ - 1)));
+  }
+  const GrownDeposit& deposit() const { return deposit_; }
+
+ private:
+  GrownDeposit deposit_;
+  double first_y_, each_y_;
+  int layer_ = 0;
+};
+
+/// The first nozzle is 1.5 or 3 mm over the bed there: layers are 1.5 mm high all the same.
+TEST(GrownDeposit, OverASlopeLayersAreAsHighAsTheNozzleRises) {
+  WallOnSlope stacked(kX, 0.0);
+  WallOnSlope upright(kX + 1.5, 1.5);
+  for (int k = 1; k <= 8; ++k) {
+    stacked.layLayers(1);
+    upright.layLayers(1);
+    EXPECT_NEAR(stacked.topOfLast(), kLayer * k, 1e-9) << "on a bed that is 0 in its mean";
+    EXPECT_NEAR(upright.topOfLast(), kLayer * (k - 1), 1e-9) << "on a bed that is -1.5 mm in its mean";
+  }
+}
+
+/// As wide as stated, beads are as high as their section asks for, from the first layer on.
+TEST(GrownDeposit, OverASlopeAWidthThatIsStatedSaysHowHighLayersAre) {
+  constexpr double kAsWide = 2.0;
+  GrownDepositSettings settings;
+  settings.bead_width_mm = kAsWide;
+  WallOnSlope wall(kX, 0.0, settings);
+  wall.layLayers(5);
+  EXPECT_NEAR(wall.topOfLast(), 5.0 * ((kWidth - kLayer) * kLayer + 0.25 * M_PI * kLayer * kLayer) / kAsWide,
+              1e-9);
+  EXPECT_NEAR(wall.deposit().surface().nearest(Point2(40.0, kX + 1.1)), -1.125, 1e-9) << "the bed beside it";
+}
+
+/// A bead that is too low for the bed beside its middle does not dig into it.
+TEST(GrownDeposit, OverASlopeTheBedStays) {
+  GrownDepositSettings settings;
+  settings.bead_width_mm = 6.0;
+  WallOnSlope wall(kX, 0.0, settings);
+  wall.layLayers(1);
+  EXPECT_NEAR(wall.deposit().surface().nearest(Point2(40.0, kX - 2.9)), 2.875, 1e-9);
+}
+
 TEST(GrownDeposit, OfAPressedProcessIsAsHighAsTheNozzleAndNarrower) {
   const double section = kLayer * (kWidth - kLayer) + 0.25 * M_PI * kLayer * kLayer;
   const double half_width = 0.5 * (kWidth - 0.2 * section / kLayer);  // 1.232
@@ -182,6 +250,23 @@ TEST(GrownDeposit, OfAPressedProcessIsAsHighAsTheNozzleAndNarrower) {
 }
 
 /// What heat is left after ten seconds lets the second layer settle.
+/// Filament on cells a quarter as wide: the ground is found wherever its middle lies among them.
+TEST(GrownDeposit, OfAPressedProcessFindsTheGroundOfNarrowBeads) {
+  PlantSettings plant;
+  plant.pressed = true;
+  plant.gain = 0.85;
+  for (int i = 0; i < 10; ++i) {
+    GrownDeposit deposit(HeightMap(heightGrid({Point2(0, 0), Point2(20, 4)}, 0.1), 0.0), plant, {});
+    const double y = 2.0 + 0.01 * i;
+    for (int layer = 1; layer <= 4; ++layer) {
+      const double z = 0.2 * layer;
+      deposit.lay({{2, y, z}, {18, y, z}, 0.0714 * 16.0, 0.0, 1.0});
+      deposit.endBead();
+    }
+    EXPECT_NEAR(deposit.surface().nearest(Point2(10, y)), 0.8, 0.01) << y;
+  }
+}
+
 TEST(GrownDeposit, OfAPressedProcessSettles) {
   PlantSettings plant;
   plant.pressed = true;

@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-const Point2 kOffset(25.0, 0.0);
+const ScanSight kOffset{{25.0, 0.0}, {0.0, 0.0}};
 
 Path bead(const Point3& start, const Point3& end) {
   Path path;
@@ -125,21 +125,22 @@ TEST(ScanPass, FliesHalfALayerOffAllPrintingHeights) {
 }
 
 struct Sensor {
-  Point2 offset_mm;
+  ScanSight sight;
   double swath_mm;
 };
 
-/// Whether the sensor's line passes over the point during the layer's scan.
-bool isSeen(const ToolpathLayer& layer, const Sensor& sensor, const Point2& point) {
+/// Whether the sensor's line passes over the point during the layer's scan, where it lies at a height.
+bool isSeen(const ToolpathLayer& layer, const Sensor& sensor, const Point3& point) {
   const Path& scan = layer.paths.back();
   const double z = scanHeight(layer, 1.0);
+  const Point2 line = sensor.sight.offset_mm + (z - point.z()) * sensor.sight.lean;
   for (std::size_t i = 1; i < scan.points.size(); ++i) {
     const Point3 &a = scan.points[i - 1], &b = scan.points[i];
     if (std::abs(a.z() - z) > 1e-9 || std::abs(b.z() - z) > 1e-9) continue;
-    const double from = std::min(a.y(), b.y()) + sensor.offset_mm.y();
-    const double to = std::max(a.y(), b.y()) + sensor.offset_mm.y();
+    const double from = std::min(a.y(), b.y()) + line.y();
+    const double to = std::max(a.y(), b.y()) + line.y();
     const bool is_along_y = std::abs(a.x() - b.x()) < 1e-9;
-    const bool is_across = std::abs(a.x() + sensor.offset_mm.x() - point.x()) <= 0.5 * sensor.swath_mm;
+    const bool is_across = std::abs(a.x() + line.x() - point.x()) <= 0.5 * sensor.swath_mm;
     if (is_along_y && is_across && from <= point.y() && point.y() <= to) return true;
   }
   return false;
@@ -150,17 +151,31 @@ TEST(ScanPass, TheLinePassesOverTheWholeBox) {
     Random random(seed);
     const Point2 low(random.uniform(-50, 50), random.uniform(-50, 50));
     const Point2 high = low + Point2(random.uniform(0.1, 120), random.uniform(0.1, 120));
-    const Sensor sensor{{random.uniform(-60, 60), random.uniform(-60, 60)}, random.uniform(2, 80)};
+    const Point2 lean(random.uniform(-1, 1), random.uniform(-2, 2));
+    const Sensor sensor{{{random.uniform(-60, 60), random.uniform(-60, 60)}, lean}, random.uniform(2, 80)};
     ScanSettings settings = every(1);
     settings.swath_mm = sensor.swath_mm;
-    const Toolpath scanned = withScanPasses(diagonals(2, low, high), settings, sensor.offset_mm);
+    const Toolpath scanned = withScanPasses(diagonals(2, low, high), settings, sensor.sight);
     validate(scanned);
     for (int i = 0; i < 20; ++i) {
-      const Point2 point(random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()));
+      const double off = random.uniform(-0.2, 0.2);  // a layer at most
+      const Point3 point(random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()), 0.2 + off);
       RC_ASSERT(isSeen(scanned.layers[0], sensor, point));
-      RC_ASSERT(isSeen(scanned.layers[1], sensor, point));
+      RC_ASSERT(isSeen(scanned.layers[1], sensor, point + Point3(0, 0, 0.2)));
     }
   }));
+}
+
+/// A sensor at 45 deg over the layers, 1.1 mm above them, sees 1.1 mm farther on than below the nozzle.
+TEST(ScanPass, OfASensorThatLeansPassesOverWhereTheLayerLies) {
+  ScanSettings settings = every(1);
+  settings.margin_mm = 1.0;
+  const Toolpath scanned = withScanPasses(diagonals(1, {0, 0}, {10, 10}), settings, {{25, 0}, {0, -1}});
+  const Path& scan = scanned.layers[0].paths.back();
+  ASSERT_EQ(scan.points.size(), 4U);
+  // Half a bead of 0.4 mm, the margin, and a layer of 0.2 mm on both sides.
+  EXPECT_TRUE(scan.points[2].isApprox(Point3(5.0 - 25.0, 0.0 - 1.4 + 1.1, 1.3), 1e-9));
+  EXPECT_TRUE(scan.points[3].isApprox(Point3(5.0 - 25.0, 10.0 + 1.4 + 1.1, 1.3), 1e-9));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ class HeightLoop {
   /// Whether amounts are corrected by the lack of cross-section: in a pressed process.
   bool readsSections() const { return settings_.process == LoopProcess::Pressed; }
   /// States the lack of cross-section measured at a cell, relative to the planned one; for a pressed process.
-  /// Of several values in a layer the mean counts. A value that is not finite has no effect.
+  /// Of several values in a layer the last one counts. A value that is not finite has no effect.
   /// @throws InvalidInput if the layer has no such cell
   void seeDeficit(std::size_t cell, double share);
   /// Ends a cloud: all readings since the last call belong to it. Contested readings that agree over a length
@@ -166,7 +166,7 @@ class HeightLoop {
   std::vector<CellEstimate> estimates_;
   std::vector<double> learnt_;          ///< amounts learnt from previous parts; empty if there are none
   std::vector<double> deficit_;         ///< lack of cross-section, of a pressed process
-  std::vector<int> sections_seen_;      ///< number of values of `deficit_` of the layer
+  std::vector<bool> is_section_seen_;   ///< whether the value of `deficit_` is of the layer
   std::vector<double> applied_;         ///< correction of the layer
   std::vector<std::size_t> contested_;  ///< cells whose last reading is contested; others may be among them
   double cloud_sigma_mm_ = 0.0;         ///< greatest standard deviation of the cloud's readings

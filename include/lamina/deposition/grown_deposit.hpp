@@ -36,7 +36,9 @@ struct GrownPiece {
 /// alone. A bead ends where the next motion does not continue it; a layer ends where the nozzle is higher by
 /// half of the first layer. The planned height of all layers is taken to be that of the first bead above the
 /// ground at its start, and the cross-section of planned height and width counts as commanded without
-/// correction.
+/// correction. Over ground that slopes, as the bed does under a tool axis that leans, the height is the first
+/// bead's cross-section over the width that is stated; without one it is the rise to the second layer, up to
+/// which beads are taken to be twice as wide as high.
 ///
 /// Of a pressed process (`PlantSettings::pressed`) the nozzle makes the top: the section of a bead is a
 /// stadium between the ground under its middle and the nozzle, as wide as its volume, and settles after that.
@@ -81,7 +83,8 @@ class GrownDeposit {
     double distance_mm = 0.0;
   };
 
-  void beginLayer(const Point3& at, double start_s);
+  void beginLayer(double section_mm2);
+  void plan(const Point3& at, double section_mm2);
   Stations stationsOfBead() const;
   std::vector<double> arrivedSections(const Stations& stations);
   std::vector<CoveredCell> coveredCells(const Stations& stations, double width_mm) const;
@@ -97,13 +100,15 @@ class GrownDeposit {
   GrownDepositSettings settings_;
   double highest_;
   double lowest_;                            ///< height of the lowest ground [mm]
+  bool is_ground_level_;                     ///< before anything was deposited
   std::vector<std::uint32_t> deposited_in_;  ///< layer of each cell, from 1; 0 where nothing was deposited
   std::vector<GrownPiece> bead_;
   std::size_t layer_ = 0;
-  std::size_t beads_ = 0;       ///< number of beads of the layer so far
-  double planned_mm_ = 0.0;     ///< height of a layer; 0 before the first bead
-  double layer_z_mm_ = 0.0;     ///< height of the nozzle at the layer's first bead
-  double layer_start_s_ = 0.0;  ///< time at which the layer began
+  std::size_t beads_ = 0;            ///< number of beads of the layer so far
+  double planned_mm_ = 0.0;          ///< height of a layer; 0 before the first bead
+  bool is_planned_guessed_ = false;  ///< whether the second layer is still to tell it
+  double layer_z_mm_ = 0.0;          ///< height of the nozzle at the layer's first bead
+  double layer_start_s_ = 0.0;       ///< time at which the layer began
   double layer_s_ = 0.0;  ///< time from the start of the layer below to that of this one; 0 for the first
   std::optional<double> width_mm_;  ///< width of beads, once known
   TimedValues commanded_;           ///< cross-section, as far back as the feeder remembers [mm2]

@@ -16,6 +16,14 @@ struct ScanSettings {
   double margin_mm = 1.0;  ///< width scanned beyond the layer's deposition on each side
 };
 
+/// Where the middle of the sensor's line of light lies, from the nozzle, in the layers' x and y.
+struct ScanSight {
+  Point2 offset_mm = Point2::Zero();  ///< on a surface as high as the nozzle
+  /// By how much it moves for each millimetre that the surface lies lower; zero of a sensor that looks along
+  /// the layers' normal.
+  Point2 lean = Point2::Zero();
+};
+
 /// Adds the keys scan.*.
 void describe(SettingsSchema& schema, ScanSettings& settings);
 
@@ -24,14 +32,13 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 /// without the skirt, back and forth along y in swaths side by side. It lifts the nozzle straight up, keeps
 /// `scanHeight` and ends at the start of the next layer, whose first travel it replaces.
 ///
-/// The sensor moves with the nozzle; its line of light lies along x of the layers, at `sensor_offset` from
-/// the nozzle.
+/// The sensor moves with the nozzle; its line of light lies along x of the layers. If the sensor leans, the
+/// line passes over the layer where it lies, below the nozzle, and over as much more as shows it where it is
+/// up to a layer's height too high or too low.
 ///
 /// @param toolpath  in the frame of its layers, which are plane; satisfies `validate`, and so does the result
-/// @param sensor_offset  offset of the middle of the sensor's line from the nozzle, in the layers' x and y
-///   [mm]
 /// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned and are
 ///   inclined
-Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);
+Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const ScanSight& sight);
 
 }  // namespace lamina

@@ -141,7 +141,7 @@ void HeightLoop::beginLayer(LayerCells cells, std::vector<double> learnt) {
   }
   deficit_.resize(cells.size(), 0.0);
   before_deficit_.resize(cells.size(), 0.0);
-  sections_seen_.assign(cells.size(), 0);
+  is_section_seen_.assign(cells.size(), false);
   applied_.assign(cells.size(), 0.0);
   cells_ = std::move(cells);
   estimates_ = std::move(estimates);
@@ -243,7 +243,7 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
   requireOnePerCell("errors of the nozzle", nozzle_error_mm.size());
   limited_share_ = correction.limited_share;
   applied_ = correction.amount;
-  sections_seen_.assign(cells_.size(), 0);
+  is_section_seen_.assign(cells_.size(), false);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const DepositedGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
     if (settings_.process == LoopProcess::Free)
@@ -296,8 +296,8 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
 void HeightLoop::seeDeficit(std::size_t cell, double share) {
   requireCell(cell);
   if (!std::isfinite(share)) return;
-  const double before = sections_seen_[cell] > 0 ? deficit_[cell] : share;
-  deficit_[cell] = before + (share - before) / static_cast<double>(++sections_seen_[cell]);
+  deficit_[cell] = share;
+  is_section_seen_[cell] = true;
 }
 
 void HeightLoop::requireCell(std::size_t cell) const {
@@ -328,7 +328,7 @@ void HeightLoop::forgetClouds() {
                  is_pressed || cell.commanded() > 0.0});
   }
   deficit_ = before_deficit_;
-  sections_seen_.assign(cells_.size(), 0);
+  is_section_seen_.assign(cells_.size(), false);
   contested_.clear();
   clouds_ = surprises_ = repeats_ = 0;
   surprise_ = repeat_surprise_ = excess_ = cloud_sigma_mm_ = 0.0;
@@ -406,7 +406,7 @@ std::vector<MeasuredGain> HeightLoop::heightGains() {
 std::vector<MeasuredGain> HeightLoop::sectionGains() const {
   std::vector<MeasuredGain> gains(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (sections_seen_[i] > 0) gains[i] = {(1.0 - deficit_[i]) / (1.0 + applied_[i]), cells_.height_mm[i]};
+    if (is_section_seen_[i]) gains[i] = {(1.0 - deficit_[i]) / (1.0 + applied_[i]), cells_.height_mm[i]};
   return gains;
 }
 

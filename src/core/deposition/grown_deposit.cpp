@@ -21,6 +21,7 @@ constexpr double kJoined = 1e-3;        // mm: above the rounding of programs
 constexpr double kRemembered = 10.0;    // time constants of the feeder
 constexpr double kMiddle = 0.25;        // of a bead's width, which the nozzle is over
 constexpr double kLeastPlanned = 1e-3;  // mm: a nozzle that rubs on the bed plans no layer
+constexpr double kLeastRise = 0.05;     // mm: to a second layer, whatever the first one seems to be
 
 double lengthOf(const GrownPiece& piece) { return (piece.end - piece.start).norm(); }
 
@@ -30,6 +31,9 @@ void requirePiece(const GrownPiece& piece) {
   if (!(piece.volume_mm3 >= 0.0 && std::isfinite(piece.volume_mm3)))
     throw InvalidInput("deposited volume is " + numberText(piece.volume_mm3) + " mm3; must be 0 or more");
 }
+
+/// Height of a stadium twice as wide as high.
+double usualHeight(double section_mm2) { return std::sqrt(section_mm2 / (1.0 + 0.25 * M_PI)); }
 
 bool isClosed(const std::vector<GrownPiece>& bead) {
   return bead.size() > 2 && (bead.back().end - bead.front().start).norm() < kStation;
@@ -82,6 +86,7 @@ GrownDeposit::GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDep
       settings_(settings),
       highest_(heightRange(surface_).high),
       lowest_(heightRange(surface_).low),
+      is_ground_level_(highest_ == lowest_),
       deposited_in_(surface_.grid().cellCount(), 0) {
   if (settings_.bead_width_mm > 0.0) width_mm_ = settings_.bead_width_mm;
 }
@@ -97,13 +102,13 @@ void GrownDeposit::endBead() {
   if (bead_.empty()) return;
   const double z = bead_.front().start.z();
   const bool is_first = planned_mm_ == 0.0;
-  if (is_first || z > layer_z_mm_ + 0.5 * planned_mm_) beginLayer(bead_.front().start, bead_.front().start_s);
+  const double rise_mm = is_planned_guessed_ ? kLeastRise : 0.5 * planned_mm_;
   const Stations stations = stationsOfBead();
-  if (!width_mm_) {
-    double volume = 0.0;
-    for (const GrownPiece& piece : bead_) volume += piece.volume_mm3;
-    width_mm_ = volume / stations.length_mm / planned_mm_;
-  }
+  double volume = 0.0;
+  for (const GrownPiece& piece : bead_) volume += piece.volume_mm3;
+  const double section = volume / stations.length_mm;
+  if (is_first || z > layer_z_mm_ + rise_mm) beginLayer(section);
+  if (!width_mm_) width_mm_ = section / planned_mm_;
   const std::vector<double> sections = arrivedSections(stations);
   if (plant_.settings().pressed)
     press(stations, sections, *width_mm_);
@@ -113,17 +118,35 @@ void GrownDeposit::endBead() {
   ++beads_;
 }
 
-void GrownDeposit::beginLayer(const Point3& at, double start_s) {
+void GrownDeposit::beginLayer(double section_mm2) {
+  const Point3& at = bead_.front().start;
+  const double start_s = bead_.front().start_s;
   if (planned_mm_ == 0.0) {
-    const double ground = surface_.nearest(at.head<2>());
-    planned_mm_ = std::max(kLeastPlanned, at.z() - (std::isfinite(ground) ? ground : lowest_));
+    plan(at, section_mm2);
   } else {
+    if (is_planned_guessed_) {
+      // What was taken for the height of the first layer gave the width of its beads.
+      *width_mm_ *= planned_mm_ / (at.z() - layer_z_mm_);
+      planned_mm_ = at.z() - layer_z_mm_;
+      is_planned_guessed_ = false;
+    }
     ++layer_;
     layer_s_ = start_s - layer_start_s_;
   }
   layer_z_mm_ = at.z();
   layer_start_s_ = start_s;
   beads_ = 0;
+}
+
+/// Over ground that slopes, how far the first nozzle is from it says nothing of the layers.
+void GrownDeposit::plan(const Point3& at, double section_mm2) {
+  if (is_ground_level_) {
+    const double ground = surface_.nearest(at.head<2>());
+    planned_mm_ = std::max(kLeastPlanned, at.z() - (std::isfinite(ground) ? ground : lowest_));
+    return;
+  }
+  is_planned_guessed_ = !width_mm_;
+  planned_mm_ = std::max(kLeastPlanned, width_mm_ ? section_mm2 / *width_mm_ : usualHeight(section_mm2));
 }
 
 GrownDeposit::Stations GrownDeposit::stationsOfBead() const {
@@ -195,13 +218,18 @@ std::vector<GrownDeposit::CoveredCell> GrownDeposit::coveredCells(const Stations
 }
 
 /// What a bead stands on at each station: the mean of the cells that are no deeper than half a layer under
-/// the highest one. What its own layer has deposited before is no ground, unless there is nothing else.
+/// the highest one, or of all cells where nothing was deposited yet: a gap under it would be bridged, but it
+/// fits a bed that slopes. What its own layer has deposited before is no ground, unless there is nothing
+/// else.
 std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& covered,
                                               std::size_t stations) const {
   std::vector<double> highest(stations, -std::numeric_limits<double>::infinity());
   std::vector<bool> has_ground(stations, false);
-  for (const CoveredCell& each : covered)
+  std::vector<bool> is_bare(stations, true);
+  for (const CoveredCell& each : covered) {
     if (!isOfLayer(each.cell)) has_ground[each.station] = true;
+    if (isDeposited(each.cell)) is_bare[each.station] = false;
+  }
   const auto counts = [&](const CoveredCell& each) {
     return !has_ground[each.station] || !isOfLayer(each.cell);
   };
@@ -211,7 +239,8 @@ std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& co
   std::vector<double> cells(stations, 0.0);
   for (const CoveredCell& each : covered) {
     const double height = surface_.at(each.cell);
-    if (!counts(each) || height < highest[each.station] - 0.5 * planned_mm_) continue;
+    const bool is_gap = !is_bare[each.station] && height < highest[each.station] - 0.5 * planned_mm_;
+    if (!counts(each) || is_gap) continue;
     sum[each.station] += height;
     cells[each.station] += 1.0;
   }
@@ -257,7 +286,8 @@ void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sec
   const std::vector<double> after = plant_.afterBead(bead, ground);
   for (const CoveredCell& each : covered) {
     const double onto = isOfLayer(each.cell) ? surface_.at(each.cell) : ground[each.station];
-    raise(each.cell, std::max(lowest_, onto + after[each.station] - ground[each.station]));
+    const double least = isDeposited(each.cell) ? lowest_ : surface_.at(each.cell);
+    raise(each.cell, std::max(least, onto + after[each.station] - ground[each.station]));
   }
 }
 
@@ -265,7 +295,9 @@ void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sec
 /// comes out.
 void GrownDeposit::press(const Stations& stations, const std::vector<double>& sections, double width_mm) {
   const std::size_t count = stations.place.size();
-  const std::vector<double> ground = groundUnder(coveredCells(stations, kMiddle * width_mm), count);
+  // Narrower than a cell is across corners, it might hold no cell's middle, and there would be no ground.
+  const double middle_mm = std::max(kMiddle * width_mm, std::sqrt(2.0) * surface_.grid().cell_mm);
+  const std::vector<double> ground = groundUnder(coveredCells(stations, middle_mm), count);
   const PlantBead bead = beadOf(stations);
   const double settled_mm = plant_.settling(bead) * planned_mm_;
   std::vector<BeadSection> pressed(count);

@@ -52,11 +52,14 @@ std::vector<Point2> swathEnds(const Box2& box, double swath_mm) {
   return ends;
 }
 
-Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const Point2& sensor_offset) {
+Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const ScanSight& sight) {
   Box2 box = boxToScan(layer);
-  const Point2 margin(settings.margin_mm, settings.margin_mm);
+  // A surface that is a layer too high or too low is seen by a leaning sensor where it is not planned.
+  const Point2 margin =
+      Point2(settings.margin_mm, settings.margin_mm) + layer.height_mm * sight.lean.cwiseAbs();
   box = {box.low - margin, box.high + margin};
   const double z = scanHeight(layer, settings.clearance_mm);
+  const Point2 line_from_nozzle = sight.offset_mm + (z - layer.z_mm) * sight.lean;
   Path scan;
   scan.role = PathRole::Travel;
   scan.process.is_retracted = true;
@@ -66,7 +69,7 @@ Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const Poin
   const Point3 start = before.lastPoint();
   scan.points = {start, {start.x(), start.y(), z}};
   for (const Point2& line : swathEnds(box, settings.swath_mm)) {
-    const Point2 nozzle = line - sensor_offset;
+    const Point2 nozzle = line - line_from_nozzle;
     scan.points.emplace_back(nozzle.x(), nozzle.y(), z);
   }
   return scan;
@@ -83,7 +86,7 @@ void joinNext(Path& scan, ToolpathLayer& next) {
 
 }  // namespace
 
-Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset) {
+Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const ScanSight& sight) {
   if (settings.every_layers == 0) return toolpath;
   requireLevelLayers(toolpath, "scan passes");
   if (!(settings.swath_mm > 0.0 && std::isfinite(settings.swath_mm)))
@@ -95,7 +98,7 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const P
   for (std::size_t i = 0; i < end; ++i) {
     const bool is_due = (i + 1) % static_cast<std::size_t>(settings.every_layers) == 0 || i + 1 == end;
     if (!is_due || !deposits(layers[i])) continue;
-    Path scan = scanOf(layers[i], settings, sensor_offset);
+    Path scan = scanOf(layers[i], settings, sight);
     const auto next = std::find_if(layers.begin() + static_cast<std::ptrdiff_t>(i) + 1, layers.end(),
                                    [](const ToolpathLayer& layer) { return !layer.paths.empty(); });
     if (next != layers.end()) joinNext(scan, *next);

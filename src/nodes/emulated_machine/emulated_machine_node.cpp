@@ -101,7 +101,7 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
   std::vector<MotionSample> samples =
       samplesOf(motion, measures ? settings_.profile_spacing_mm : settings_.position_spacing_mm);
   for (MotionSample& sample : samples) sample.position = bed_from_program_ * sample.position;
-  if (!deposits) deposit_->endBead();
+  if (!deposits) endBead();
   Point3 from = bed_from_program_ * motion.start;
   double from_s = motion.start_s;
   for (const MotionSample& sample : samples) {
@@ -123,7 +123,15 @@ void EmulatedMachineNode::lay(const ToolAxisMotion& motion, const MachineTimes& 
     ROS_WARN_ONCE("material deposited at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown",
                   to.x(), to.y());
   deposit_->lay(motion, times);
+  is_laying_ = true;
   has_news_ = true;
+}
+
+/// A bead that stands once it has ended was not shown while it was laid.
+void EmulatedMachineNode::endBead() {
+  deposit_->endBead();
+  has_news_ = has_news_ || is_laying_;
+  is_laying_ = false;
 }
 
 ros::Time EmulatedMachineNode::stampOf(double machine_s) const {

@@ -55,6 +55,7 @@ class EmulatedMachineNode {
   void tryExecute(const ExecutedMotion& motion);
   void execute(const ExecutedMotion& motion);
   void lay(const ToolAxisMotion& motion, const MachineTimes& times);
+  void endBead();
   void publishPosition(const MotionSample& sample);
   void publishProfile(const MotionSample& sample, Blank blank);
   void publishDeposited();
@@ -75,8 +76,9 @@ class EmulatedMachineNode {
   MotionQueue motions_;
   double last_end_s_ = -1.0;  ///< machine time of the last position
   mutable std::mutex stamps_mutex_;
-  LastStamps last_;        ///< guarded
-  bool has_news_ = false;  ///< material that was not published
+  LastStamps last_;         ///< guarded
+  bool has_news_ = false;   ///< material that was not published
+  bool is_laying_ = false;  ///< whether the bead under way has not ended
   ros::Time start_;
   std::unique_ptr<EmulatedMachine> emulator_;
   std::thread worker_;

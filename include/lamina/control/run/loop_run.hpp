@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "lamina/control/bead_section.hpp"
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/fallen_watch.hpp"
@@ -27,6 +26,7 @@
 #include "lamina/control/run/stamped_events.hpp"
 #include "lamina/control/run/standing_alarms.hpp"
 #include "lamina/control/run/taught_part.hpp"
+#include "lamina/control/section_contours.hpp"
 
 namespace lamina {
 
@@ -248,6 +248,7 @@ class LoopRun {
   double silent_s_ = 0.0;  ///< of motion in the scan, without a cloud
   double settle_mm_ = 0.0;
   SolidCells solid_;
+  SectionContours sections_;  ///< of the layer under way, of a pressed process
   std::optional<std::int64_t> cloud_ns_;
   std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
   PoseWatch pose_watch_;

@@ -316,10 +316,11 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
-    seeSections(*loop_, profile, atlas_, settings_.sight);
+    if (loop_->readsSections()) sections_.see(profile, atlas_, settings_.sight);
     if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(cloud.sensor, reading);
   }
+  for (const SectionReading& section : sections_.take()) loop_->seeDeficit(section.cell, section.deficit);
   loop_->endCloud();
   if (trim_ && !progress_.place().is_scanning) trimLayer();
 }
@@ -390,6 +391,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   layer_ = layer;
   silent_s_ = 0.0;
   solid_.begin();
+  sections_.begin();
   settle_mm_ = settings_.settle_mm > 0.0 ? settings_.settle_mm : widestBead(cells);
   const auto shared = std::make_shared<const LayerCells>(cells);
   loop_->beginLayer(std::move(cells), taught_.amountsOf(layer));

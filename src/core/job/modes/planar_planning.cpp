@@ -12,6 +12,7 @@
 #include "lamina/base/number_text.hpp"
 #include "lamina/job/layer_heights_job.hpp"
 #include "lamina/job/voids/drop_void_job.hpp"
+#include "lamina/kinematics/model/sensor_lean.hpp"
 #include "lamina/planning/compensation/compensation.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
@@ -118,8 +119,9 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,
                                    settings.planning.travel.feed_mm_s, progress);
-  toolpath =
-      withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.space, partFromLayers(plane)));
+  const Eigen::Quaterniond inclined = partFromLayers(plane);
+  toolpath = withScanPasses(std::move(toolpath), settings.scan,
+                            {sensorOffset(request.space, inclined), sensorLean(request.space, inclined)});
   toolpath = inPartFrame(std::move(toolpath), plane);
   return planned;
 }
