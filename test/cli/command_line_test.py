@@ -460,7 +460,7 @@ class CommandLine(unittest.TestCase):
         with open("/dev/full", "w") as full:
             done = subprocess.run([LAMINA, "slice", "--print-config"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("FileError: cannot write the standard output: No space left on device", done.stderr)
+        self.assertIn("FileError: cannot write the standard output: ", done.stderr)
 
     def test_a_dry_run_moves_and_switches_nothing_on(self):
         program = self.path("wet.gcode")
