@@ -76,7 +76,8 @@ class StartupSession {
   /// @throws Cancelled if the job is not to begin any more
   void beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn);
   /// States that the job begins to send a program, and watches the machine from now on (`JobWatch`). If lines
-  /// may be replaced, the program's commands are taken for sent somewhat too early.
+  /// may be replaced, the program's commands are taken for sent somewhat too early. To be called, like
+  /// `losses` and `endJob`, from the job's thread, which may wait for the program's disk.
   void watchJob(const StreamableProgram& program, WatchedLines lines);
   /// The conditions of the start-up that the machine has lost during the job and that the program has not
   /// ended (`JobWatch`); empty without a sequence.

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
@@ -76,6 +77,7 @@ class StartupSession::Impl {
   StreamStatus send(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
   StreamStatus runSession(const StreamableProgram& program, const MayGoOn& mayGoOn);
   void noteSent(const StreamableProgram& program, const StreamStatus& status);
+  std::vector<std::string> linesUpTo(std::uint64_t sent);
   bool isWanted(StartupStep step) const;
   bool isInterrupted() const;
 
@@ -93,13 +95,18 @@ class StartupSession::Impl {
   bool may_be_on_ = false;  ///< whether what a step has switched on is not known to be off
   struct WatchedJob {
     JobWatch watch;
-    ProgramCursor cursor;
-    std::uint64_t lines = 0;  ///< read of it
-    bool was_dry = false;     ///< when it began
+    bool was_dry = false;  ///< when it began
   };
   std::optional<WatchedJob> job_;
   bool is_ending_ = false;
   std::thread thread_;
+  /// Lines of the job that were sent. Of the job's thread alone: while it waits for a disk, what the machine
+  /// says is heard.
+  struct SentLines {
+    ProgramCursor cursor;
+    std::uint64_t read = 0;
+  };
+  std::optional<SentLines> sent_lines_;
 };
 
 namespace {
@@ -296,22 +303,32 @@ void StartupSession::Impl::heard(const FirmwareReply& reply) {
 }
 
 void StartupSession::Impl::watchJob(const StreamableProgram& program, WatchedLines lines) {
-  const Lock lock(mutex_);
   if (isEmpty()) return;
+  sent_lines_.emplace(SentLines{program.open(), 0});
+  const Lock lock(mutex_);
   // Of a dryer that reports nothing, the clock alone would end a long job.
   const bool is_dry =
       !settings_.dry_label.empty() && startup_.stateOf(StartupStep::DryPellets) == StartupState::Done;
-  job_.emplace(WatchedJob{JobWatch(settings_, lines), program.open(), 0, is_dry});
+  job_.emplace(WatchedJob{JobWatch(settings_, lines), is_dry});
+}
+
+/// Those that were sent since the last call.
+std::vector<std::string> StartupSession::Impl::linesUpTo(std::uint64_t sent) {
+  std::vector<std::string> lines;
+  if (!sent_lines_) return lines;
+  for (; sent_lines_->read < sent; ++sent_lines_->read) {
+    auto line = sent_lines_->cursor.next();
+    if (!line) break;
+    lines.push_back(std::move(line->command));
+  }
+  return lines;
 }
 
 std::vector<JobLoss> StartupSession::Impl::losses(const StreamStatus& status) {
+  const std::vector<std::string> sent = linesUpTo(status.lines_sent);
   const Lock lock(mutex_);
   if (!job_) return {};
-  for (; job_->lines < status.lines_sent; ++job_->lines) {
-    const auto line = job_->cursor.next();
-    if (!line) break;
-    job_->watch.onSent(line->command);
-  }
+  for (const std::string& command : sent) job_->watch.onSent(command);
   startup_.elapse(now());
   std::vector<JobLoss> losses = job_->watch.losses();
   if (job_->was_dry && startup_.stateOf(StartupStep::DryPellets) != StartupState::Done)
@@ -331,6 +348,7 @@ std::string StartupSession::Impl::questions() const {
 }
 
 void StartupSession::Impl::endJob(const StreamableProgram& program, const StreamStatus& status) {
+  sent_lines_.reset();
   Lock lock(mutex_);
   job_.reset();
   noteSent(program, status);

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
@@ -64,6 +66,17 @@ TEST(RestProgram, BeginsInTheOrderThatKeepsThePart) {
             "G1 X40 Y40 F3000\nG1 X40 Y40 Z0.4 F600\nG1 E1 F120\n"
             "G92 E4\nG90\nM82\nG1 F1200\n"
             "M220 S50\nG1 X20 E5\nM220 S100\nG1 Y20 E6\n");
+}
+
+TEST(RestProgram, IsTheSameOfAProgramWithoutBlanks) {
+  const std::string part = std::string("M203 X100\nM203 Y90\n") + kPart;
+  const std::string spaced = restFrom(part, 17, 50.0, byHand());
+  const auto unspaced = [](std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    return text;
+  };
+  EXPECT_NE(spaced.find("M203 X100\nM203 Y90\n"), std::string::npos) << spaced;
+  EXPECT_EQ(unspaced(restFrom(unspaced(part), 17, 50.0, byHand())), unspaced(spaced));
 }
 
 TEST(RestProgram, FindsLayersAndHeights) {

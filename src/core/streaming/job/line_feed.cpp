@@ -59,7 +59,6 @@ class ReadAhead {
 
 constexpr std::size_t kBatchLines = 128;
 constexpr std::size_t kBatches = 8;
-constexpr double kLongestRead = 30.0;  // s; disks that sleep need ten
 constexpr std::chrono::seconds kLongestEnd{1};
 
 ReadAhead::ReadAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s)

@@ -59,6 +59,9 @@ class LineFeed {
   std::uint64_t next_;
 };
 
+/// Time that the next line of a program is waited for [s]; disks that sleep need ten.
+inline constexpr double kLongestRead = 30.0;
+
 /// The lines of a source, read a thousand ahead in a thread of its own, so that a slow disk or network folder
 /// does not stop the machine. They end early if what they are read from has changed, since its new content
 /// was not checked, and if the next one is waited for in vain: a machine is stopped without the disk.
@@ -66,7 +69,8 @@ class LineFeed {
 /// @param patience_s  time that the next line is waited for
 LineFeed::Source readAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s);
 
-/// The lines of a program. They end early if its file changes meanwhile, or cannot be read for half a minute.
+/// The lines of a program. They end early if its file changes meanwhile, or cannot be read for
+/// `kLongestRead`.
 LineFeed::Source sourceOf(const StreamableProgram& program);
 
 /// The lines of a program without its first ones; each line left out is passed to `passed`.

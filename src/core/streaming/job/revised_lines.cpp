@@ -7,6 +7,22 @@
 #include "lamina/streaming/job/firmware_protocol.hpp"
 
 namespace lamina {
+namespace {
+
+/// The lines of its text, each as it is.
+LineFeed::Source rawLinesOf(const StreamableProgram& program) {
+  const std::shared_ptr<std::istream> text = program.openText();
+  const LineFeed::Source source = [text]() -> std::optional<ProgramLine> {
+    ProgramLine line;
+    if (!std::getline(*text, line.command)) return std::nullopt;
+    return line;
+  };
+  if (program.isHeld()) return source;
+  return readAhead(
+      source, [program] { return program.hasChanged(); }, kLongestRead);
+}
+
+}  // namespace
 
 GrowingCommands::GrowingCommands()
     : text_(new std::stringstream), cursor_(std::unique_ptr<std::istream>(text_)) {}
@@ -23,7 +39,7 @@ RevisedLines::RevisedLines(const StreamableProgram& program, std::shared_ptr<Pro
     : program_(program),
       revision_(std::move(revision)),
       defectOf_(std::move(defectOf)),
-      text_(program.openText()) {}
+      text_(rawLinesOf(program)) {}
 
 bool RevisedLines::isNextKnown() {
   readOn();
@@ -71,19 +87,18 @@ void RevisedLines::readOn() {
 
 void RevisedLines::goOnWith(const StreamableProgram& successor) {
   program_ = successor;
-  text_ = program_.openText();
+  text_ = rawLinesOf(program_);
   number_ = 0;
   read_ = 0;
 }
 
 void RevisedLines::readLine() {
-  if (program_.hasChanged())
-    return end({ErrorCode::InvalidProgram, "the program was changed while it was streamed"});
-  if (!std::getline(*text_, raw_)) return end({});
-  planned_.give(raw_);
+  const std::optional<ProgramLine> raw = text_();
+  if (!raw) return end({});  // the count shows whether lines are missing
+  planned_.give(raw->command);
   while (planned_.next()) ++read_;
   try {
-    revised_.give(revision_->revised(raw_, ++number_));
+    revised_.give(revision_->revised(raw->command, ++number_));
   } catch (const Error&) {
     end(currentFailure());
   }

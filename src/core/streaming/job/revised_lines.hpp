@@ -35,8 +35,9 @@ class GrowingCommands {
 };
 
 /// The revised lines of a program. At the beginning of a layer the next line is not known until the revision
-/// of the layer is decided; another program may then replace the rest. The lines end early, with a failure,
-/// if the program's file was changed or a line cannot be revised.
+/// of the layer is decided; another program may then replace the rest. The lines end early if the program's
+/// file was changed or its disk does not answer (`readAhead`), and with a failure if a line cannot be
+/// revised.
 class RevisedLines {
  public:
   /// @param defectOf  returns what the firmware would misread in a command, in words; empty if nothing
@@ -54,7 +55,7 @@ class RevisedLines {
 
   /// Number of commands of the whole program: those returned so far, and those not yet read.
   std::uint64_t total() const { return given_ + program_.lines() - read_; }
-  /// Why the lines ended early; Ok at the end of the program.
+  /// Why a line could not be revised; Ok if each could.
   const Failure& failure() const { return failure_; }
 
  private:
@@ -66,8 +67,7 @@ class RevisedLines {
   StreamableProgram program_;
   std::shared_ptr<ProgramRevision> revision_;
   std::function<std::string(const std::string&)> defectOf_;
-  std::unique_ptr<std::istream> text_;
-  std::string raw_;
+  LineFeed::Source text_;     ///< lines of the text as they are
   std::uint64_t number_ = 0;  ///< number of lines of the text that were read
   GrowingCommands planned_;
   GrowingCommands revised_;

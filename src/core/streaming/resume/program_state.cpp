@@ -40,9 +40,11 @@ bool leavesNothingBehind(int code) {
 /// The letters of a command's words: those that set different things stay beside each other.
 std::string lettersOf(const std::string& command) {
   std::string letters;
-  for (std::size_t i = 1; i < command.size(); ++i)
-    if (command[i - 1] == ' ' && std::isalpha(static_cast<unsigned char>(command[i])) != 0)
-      letters += command[i];
+  for (std::size_t i = 1; i < command.size(); ++i) {
+    const auto before = static_cast<unsigned char>(command[i - 1]);
+    const bool begins_word = before == ' ' || before == '.' || std::isdigit(before) != 0;
+    if (begins_word && std::isalpha(static_cast<unsigned char>(command[i])) != 0) letters += command[i];
+  }
   return letters;
 }
 
