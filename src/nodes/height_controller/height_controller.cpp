@@ -30,6 +30,7 @@ void withholdReplaced(LoopNews& news) {
 
 constexpr double kTurn = 0.02;              // s between looks at what is due
 constexpr double kQuietFor = 0.5;           // s without anything new: nothing older comes
+constexpr double kLateArrivals = 10.0;      // s after the end of a job
 constexpr std::uint32_t kUnboundQueue = 0;  // what is left out is left out, and counted, by the feed
 
 LoopRunSettings calibratedRun(const HeightControllerSettings& settings) {
@@ -73,6 +74,7 @@ void HeightController::subscribe(ros::NodeHandle& node) {
 
 HeightController::~HeightController() {
   try {
+    if (ended_) endJob();
     hold_.releaseAll();
     feed_.finish();
     publishNews();
@@ -85,6 +87,7 @@ HeightController::~HeightController() {
 
 void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
   if (isFollowedPlan(message->id)) return;
+  if (ended_) endJob();
   hold_.releaseAll();
   if (feed_.run() != nullptr) {
     feed_.finish();
@@ -180,13 +183,33 @@ void HeightController::onFixedTransforms(const TfEvent& event) {
 }
 
 void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
+  if (ended_ && !isEnd(*message)) endJob();
   beginAgainIfOver(*message);
   beginNextPart(*message);
   if (!isEnd(*message) || feed_.run() == nullptr) return;
-  const bool was_resumed = memory_.resumedAfter().has_value();
   // An executor repeats how the print before has ended.
-  if (!parts_.hasRun() && !was_resumed) return;
-  if (parts_.hasRun()) endPrint(message->state);
+  if (!parts_.hasRun() && !memory_.resumedAfter()) return;
+  const double since_s = ended_ ? ended_->since_s : clock_.now();
+  ended_ = EndedJob{message->state, since_s};
+  endIfDue();
+}
+
+/// Of a job that is complete, what was seen last may arrive after the machine has said so.
+bool HeightController::isWaitingForLast() const {
+  if (ended_->state != lamina_msgs::MachineState::COMPLETE || feed_.run() == nullptr) return false;
+  const bool is_done = feed_.run()->place().layer >= feed_.run()->part().toolpath.layers.size();
+  return !is_done && !is_quiet_ && clock_.now() - ended_->since_s < kLateArrivals;
+}
+
+void HeightController::endIfDue() {
+  if (ended_ && !isWaitingForLast()) endJob();
+}
+
+void HeightController::endJob() {
+  const std::uint8_t state = ended_->state;
+  ended_.reset();
+  const bool was_resumed = memory_.resumedAfter().has_value();
+  if (parts_.hasRun()) endPrint(state);
   memory_.forget();
   if (!was_resumed) return;
   beginPrint(*announced_toolpath_);
@@ -270,6 +293,7 @@ void HeightController::onTimer() {
     is_quiet_ = true;
   }
   publishNews();
+  endIfDue();
   if (const auto late = print_hold_.takeLate()) ROS_WARN("%s", late->c_str());
   diagnostics_.update();
 }

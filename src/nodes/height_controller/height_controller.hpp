@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,9 @@ class HeightController {
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void beginNextPart(const lamina_msgs::MachineState& machine);
+  bool isWaitingForLast() const;
+  void endIfDue();
+  void endJob();
   /// @param state  of the machine, in which the job has ended
   void endPrint(std::uint8_t state);
   void know(const LoopRunSettings& settings);
@@ -88,6 +92,12 @@ class HeightController {
   bool is_quiet_ = true;  ///< all that came was worked off
   bool is_saved_ = true;
   bool is_learnt_saved_ = false;  ///< of the print under way
+  /// A job that has ended.
+  struct EndedJob {
+    std::uint8_t state = 0;  ///< of the machine
+    double since_s = 0.0;
+  };
+  std::optional<EndedJob> ended_;  ///< of which the last may still arrive
   PartWatch parts_;
   NodeDiagnostics diagnostics_;
   ros::Subscriber toolpath_;

@@ -14,6 +14,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/monitoring/height_monitor.hpp"
 #include "lamina/monitoring/layer_height_csv.hpp"
 #include "lamina/monitoring/octree_export.hpp"
@@ -73,8 +74,9 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("transforms passed on early", counts.transforms_forced);
 }
 
-CalibratedSensor sensorOf(const Calibration& calibration) {
+CalibratedSensor sensorOf(const Calibration& calibration, const SettingTable& other_time_offsets_s) {
   CalibratedSensor sensor;
+  sensor.other_time_offsets_s = otherTimeOffsets(other_time_offsets_s);
   if (calibration.time) sensor.time_offset_s = calibration.time->offset_s;
   if (calibration.pose) sensor.nozzle_from_sensor = calibration.pose->nozzle_from_sensor;
   return sensor;
@@ -87,7 +89,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
       topics_(node),
       silence_(settings.silence_s),
       calibration_(settings.calibration.empty() ? Calibration() : readCalibration(settings.calibration)),
-      intake_(node, settings.queue_mb, sensorOf(calibration_),
+      intake_(node, settings.queue_mb, sensorOf(calibration_, settings.other_time_offsets_s),
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }, [this] { onRestart(); }}) {
   diagnostics_.begin("none", "layer heights", [this](auto& status) { diagnose(status); });

@@ -12,6 +12,9 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
       "sensor.calibration", settings.calibration,
       "File that `lamina calibrate` wrote, for when and from where the sensor sees; empty: stamps and tf "
       "are as they are.");
+  schema.table("sensor.other_time_offsets_s", settings.other_time_offsets_s,
+               "Stamps of clouds of further sensors less the times at which they were taken, by the frame of "
+               "the clouds.");
   schema.number("silence_s", settings.silence_s, {0.0, 3600.0},
                 "A scan is given up when no profile has come for that long, in real time; 0: never.");
   schema.number("map_period_s", settings.map_period_s, Bounds::above(0.0, 3600.0),

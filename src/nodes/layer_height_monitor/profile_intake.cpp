@@ -58,13 +58,20 @@ void ProfileIntake::onCloud(const CloudEvent& event) {
 /// time there is, at which no cloud was taken.
 ProfileIntake::Cloud ProfileIntake::taken(const Cloud& cloud) {
   if (cloud->header.stamp.isZero()) return nullptr;
-  const bool is_calibrated = calibrated_frame_.see(cloud->header.frame_id);
-  if (!is_calibrated || sensor_.time_offset_s == 0.0) return cloud;
-  const double time_s = cloud->header.stamp.toSec() - sensor_.time_offset_s;
+  const double offset_s = offsetOf(cloud->header.frame_id);
+  if (offset_s == 0.0) return cloud;
+  const double time_s = cloud->header.stamp.toSec() - offset_s;
   if (!(time_s > 0.0) || time_s > std::numeric_limits<std::int32_t>::max()) return nullptr;
   const auto known = boost::make_shared<sensor_msgs::PointCloud2>(*cloud);
-  known->header.stamp -= ros::Duration(sensor_.time_offset_s);
+  known->header.stamp -= ros::Duration(offset_s);
   return known;
+}
+
+/// By how much the stamps of a sensor are late. One that is stated is not the calibrated one.
+double ProfileIntake::offsetOf(const std::string& frame) {
+  const auto other = sensor_.other_time_offsets_s.find(bareFrame(frame));
+  if (other != sensor_.other_time_offsets_s.end()) return other->second;
+  return calibrated_frame_.see(frame) ? sensor_.time_offset_s : 0.0;
 }
 
 /// The frame that tf has to place for a cloud's.

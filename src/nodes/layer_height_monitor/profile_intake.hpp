@@ -28,10 +28,11 @@ struct PlacedProfile {
   std::vector<Point3> points;  ///< [mm, bed frame]
 };
 
-/// When and from where the sensor of the calibrated frame sees (`CalibratedFrame`). Stamps of others are as
-/// they are, and tf has their places.
+/// When and from where the sensor of the calibrated frame sees (`CalibratedFrame`), and when others do.
+/// Stamps of those that are not stated are as they are, and tf has the places of all others.
 struct CalibratedSensor {
   double time_offset_s = 0.0;                           ///< true time is the stamp less this
+  std::map<std::string, double> other_time_offsets_s;   ///< the same of others, by the frame of their clouds
   std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< [mm]; none: as tf has it
 };
 
@@ -107,6 +108,7 @@ class ProfileIntake {
 
   void onCloud(const CloudEvent& event);
   Cloud taken(const Cloud& cloud);
+  double offsetOf(const std::string& frame);
   std::string placedBy(const std::string& frame) const;
   bool isHeldUp(const ros::Time& until) const;
   void leaveOutWaiting(CloudTally& as);

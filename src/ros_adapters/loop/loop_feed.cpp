@@ -55,7 +55,7 @@ FeedCounts since(const FeedCounts& then, const FeedCounts& now) {
 LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
     : settings_(settings),
       queue_bytes_(1e6 * queue_mb),
-      other_offsets_s_(otherTimeOffsets(settings.calibration)) {}
+      other_offsets_s_(otherTimeOffsets(settings.calibration.other_time_offsets_s)) {}
 
 bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   if (run_) {
@@ -200,7 +200,7 @@ void LoopFeed::request(LoopRequest request) {
 }
 
 void LoopFeed::recalibrate(const LoopRunSettings& settings) {
-  other_offsets_s_ = otherTimeOffsets(settings.calibration);
+  other_offsets_s_ = otherTimeOffsets(settings.calibration.other_time_offsets_s);
   settings_.calibration = settings.calibration;
   settings_.sight = settings.sight;
   settings_.loop = settings.loop;

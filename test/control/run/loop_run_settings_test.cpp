@@ -29,9 +29,9 @@ Toolpath twoLayers() {
 TEST(RunSettings, StateTheTimeOffsetsOfFurtherSensors) {
   const LoopRunSettings settings = settingsWith({{"sensor.other_time_offsets_s", "{left: 0.07, right: -1}"}});
   const std::map<std::string, double> expected = {{"left", 0.07}, {"right", -1.0}};
-  EXPECT_EQ(otherTimeOffsets(settings.calibration), expected);
+  EXPECT_EQ(otherTimeOffsets(settings.calibration.other_time_offsets_s), expected);
   const LoopRunSettings wrong = settingsWith({{"sensor.other_time_offsets_s", "{left: 61}"}});
-  EXPECT_THROW(otherTimeOffsets(wrong.calibration), InvalidConfig);
+  EXPECT_THROW(otherTimeOffsets(wrong.calibration.other_time_offsets_s), InvalidConfig);
 }
 
 TEST(RunSettings, SayHowWellEverythingIsKnown) {

@@ -82,6 +82,23 @@ TEST(HeightController, LearnsFromAPrintThatBeginsWithTheEndOfTheOneBefore) {
   EXPECT_TRUE(waitUntil([&] { return std::filesystem::exists(file); }));
 }
 
+/// The machine says that the job is complete ahead of what was seen of its last layer.
+TEST(HeightController, MeasuresTheLastLayerByWhatArrivesAfterTheEnd) {
+  constexpr double kIntoTheScan = 1.25;  // s: a bead of 20 mm at 20 mm/s, and the lift after it
+  Controller controller;
+  LiveWall live(wallOfThreeLayers());
+  ReportedMachine machine;
+  machine.say(lamina_msgs::MachineState::EXECUTE, 0);
+  live.say([&] { return controller.layers.size() == 2; });
+  ASSERT_EQ(controller.layers.size(), 2U);
+  const ros::Time at_last = live.now();
+  live.say([&] { return live.now() - at_last > ros::Duration(kIntoTheScan - 0.5); });  // stamps wait as long
+  machine.say(lamina_msgs::MachineState::COMPLETE, 2);
+  live.say([] { return false; });
+  ASSERT_TRUE(waitUntil([&] { return controller.layers.size() == 3; }));
+  EXPECT_GT(controller.layers.back().coverage, 0.95);
+}
+
 /// A toolpath is driven once more without being announced again.
 TEST(HeightController, BeginsTheNextPartOfTheSameToolpath) {
   Controller controller;

@@ -63,7 +63,7 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings);
 
 /// By how much the stamps of further sensors are late, by the frame of their clouds [s].
 /// @throws InvalidConfig naming the entry if one is not a number from -60 to 60
-std::map<std::string, double> otherTimeOffsets(const CellCalibration& calibration);
+std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s);
 
 /// The input of `checkStability` for the fastest motion and the widest bead of a toolpath.
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings);

@@ -60,14 +60,14 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
                 "Time by the stamps for which poses and clouds wait for older ones.");
 }
 
-std::map<std::string, double> otherTimeOffsets(const CellCalibration& calibration) {
-  std::map<std::string, double> offsets_s;
-  for (const auto& [frame, text] : calibration.other_time_offsets_s) {
+std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s) {
+  std::map<std::string, double> known_s;
+  for (const auto& [frame, text] : offsets_s) {
     SettingsSchema schema;
-    schema.number("sensor.other_time_offsets_s." + frame, offsets_s[frame], {-60.0, 60.0}, "");
+    schema.number("sensor.other_time_offsets_s." + frame, known_s[frame], {-60.0, 60.0}, "");
     schema.set("sensor.other_time_offsets_s." + frame, text);
   }
-  return offsets_s;
+  return known_s;
 }
 
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings) {
