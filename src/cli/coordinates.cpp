@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/finite_number.hpp"
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
@@ -108,6 +109,7 @@ void addCoordinates(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("-o,--output", arguments->output, "Table to write (.csv)");
   subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is deposited")
       ->check(CLI::PositiveNumber)
+      ->check(requireFinite)
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading");
   addJsonFlag(*subcommand, chosen);

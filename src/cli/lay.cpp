@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/finite_number.hpp"
 #include "arguments/setting_options.hpp"
 #include "lamina/job/part/part_mesh.hpp"
 #include "lamina/job/plate/laying.hpp"
@@ -63,7 +64,8 @@ void addLay(CLI::App& app, Chosen& chosen) {
   subcommand
       ->add_option("--overhang-deg", arguments->laying.overhang_deg,
                    "Faces that lean farther from the vertical hang (45)")
-      ->check(CLI::Range(0.0, 90.0));
+      ->check(CLI::Range(0.0, 90.0))
+      ->check(requireFinite);
   subcommand->add_option("--best", arguments->shown, "Show so many turns (5)")->check(CLI::Range(1, 500));
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(

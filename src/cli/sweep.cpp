@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/finite_number.hpp"
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
@@ -176,6 +177,7 @@ void addSweep(CLI::App& app, Chosen& chosen) {
                          "The voxels of the union, loaded as stiffness.* says, for CalculiX to write (.inp)");
   subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is deposited")
       ->check(CLI::PositiveNumber)
+      ->check(requireFinite)
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading and sweeping");
   addJsonFlag(*subcommand, chosen);

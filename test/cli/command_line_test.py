@@ -170,7 +170,7 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(drawn["deposition_mm"], reported["deposition_mm"], delta=1.0)
         refused = run("slice", box, "--set", "slicing.plane.angle_deg=45", "-o", self.path("none.gcode"))
         self.assertNotEqual(refused.returncode, 0)
-        self.assertIn("slicing.plane.tool axis 'down'", refused.stderr)
+        self.assertIn("slicing.plane.tool_axis 'down'", refused.stderr)
         self.assertFalse(os.path.exists(self.path("none.gcode")))
 
     def test_all_voids_of_a_program_are_listed_with_class_area_and_outline(self):

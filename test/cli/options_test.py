@@ -40,6 +40,14 @@ class Options(unittest.TestCase):
             light = json.dumps(reported(command, self.box, "--density-g-cm3", "1"))
             self.assertNotEqual(light, json.dumps(reported(command, self.box, "--density-g-cm3", "2")), command)
 
+    def test_what_is_no_number_is_refused(self):
+        for command in (("coordinates", self.box, "--density-g-cm3"), ("sweep", self.box, "--density-g-cm3"), ("lay", self.box, "--overhang-deg"),
+                        ("calibrate", "tcp", self.path("touches.csv"), "--greatest-mm")):
+            for text in ("nan", "inf"):
+                refused = lamina(*command, text)
+                self.assertNotEqual(refused.returncode, 0, command)
+                self.assertIn(command[-1], refused.stderr)
+
     def test_pictures_have_views(self):
         for view in ("oblique", "top"):
             reported("preview", self.box, "--view", view, "-o", self.path(view + ".png"))

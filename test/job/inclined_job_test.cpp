@@ -284,7 +284,7 @@ TEST(InclinedJob, AnUprightHeadLaysInclinedLayersIfTheNozzleStaysUpright) {
   SliceJob job = upright("box", 20.0, 0.0);
   EXPECT_NO_THROW(run(job));
   job.settings.slicing.plane.tool_axis = ToolAxis::Normal;
-  EXPECT_NE(failureOf<Unreachable>(job).find("slicing.plane.tool axis 'down'"), std::string::npos);
+  EXPECT_NE(failureOf<Unreachable>(job).find("slicing.plane.tool_axis 'down'"), std::string::npos);
 }
 
 TEST(InclinedJob, RefusesWhatNeedsLevelLayers) {

@@ -53,6 +53,14 @@ TEST(ToolpathPicture, DrawsALayerAtTrueWidth) {
   EXPECT_NEAR(coloured, 2.0 * pixels_per_mm, 3.0);
 }
 
+/// A line of the grid every 50 mm would be drawn for hours.
+TEST(ToolpathPicture, DrawsABedOfAnySize) {
+  const test::ScratchFolder folder;
+  Toolpath toolpath = broadLine();
+  toolpath.layers[0].paths[1].points[1].x() = 1e10;
+  EXPECT_NO_THROW(drawToolpath(toolpath, {}, folder.file("wide.png")));
+}
+
 std::vector<PathRole> depositingRoles() {
   std::vector<PathRole> roles;
   for (std::size_t i = 0; i < kPathRoles; ++i)

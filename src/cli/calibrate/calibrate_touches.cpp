@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "arguments/finite_number.hpp"
 #include "calibrate/calibrated_cell.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -214,6 +215,7 @@ std::shared_ptr<TouchArguments> addTouchOptions(CLI::App& subcommand, const std:
       .add_option("--greatest-mm", arguments->greatest_mm,
                   "Greatest distance of a touch from what is found [mm]")
       ->check(CLI::PositiveNumber)
+      ->check(requireFinite)
       ->capture_default_str();
   return arguments;
 }

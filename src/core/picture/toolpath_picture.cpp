@@ -69,7 +69,14 @@ Box2 drawingArea(const ToolpathPictureSettings& settings) {
   return area;
 }
 
-double gridSpacing(const Box3& box) { return box.size().maxCoeff() > 300.0 ? 50.0 : 10.0; }
+constexpr int kMostGridLines = 60;  // each way
+
+double gridSpacing(const Box3& box) {
+  const double size = box.size().maxCoeff();
+  double spacing = size > 300.0 ? 50.0 : 10.0;
+  while (size > kMostGridLines * spacing) spacing *= 10.0;
+  return spacing;
+}
 
 /// The box's base, out to the next lines of the grid.
 Box2 gridBox(const Box3& box) {
@@ -85,10 +92,11 @@ void drawGrid(Canvas& canvas, const Projection& projection, const Box3& box) {
   const auto draw = [&](double x0, double y0, double x1, double y1) {
     canvas.line({projection({x0, y0, box.low.z()}), projection({x1, y1, box.low.z()})}, {kGrid, 1.0});
   };
-  for (double x = grid.low.x(); x < grid.high.x() + 0.5 * spacing; x += spacing)
-    draw(x, grid.low.y(), x, grid.high.y());
-  for (double y = grid.low.y(); y < grid.high.y() + 0.5 * spacing; y += spacing)
-    draw(grid.low.x(), y, grid.high.x(), y);
+  // Counted: far from the origin a step is lost in the digits of a coordinate.
+  for (int i = 0; grid.low.x() + i * spacing < grid.high.x() + 0.5 * spacing && i <= kMostGridLines + 1; ++i)
+    draw(grid.low.x() + i * spacing, grid.low.y(), grid.low.x() + i * spacing, grid.high.y());
+  for (int i = 0; grid.low.y() + i * spacing < grid.high.y() + 0.5 * spacing && i <= kMostGridLines + 1; ++i)
+    draw(grid.low.x(), grid.low.y() + i * spacing, grid.high.x(), grid.low.y() + i * spacing);
 }
 
 /// What the part and the grid below it cover in the picture's plane.

@@ -107,6 +107,18 @@ TEST_F(PlateJobTest, TurnsContoursExactly) {
   }
 }
 
+/// Beside a part that has its place another stands in the corner of the bed, 20 / 0.95 mm wide as it is
+/// printed.
+TEST_F(PlateJobTest, LeavesRoomForPartsAsTheyAreGrownForShrinkage) {
+  add(box("placed", {20, 20, 0.4}), Point2(110, 110));
+  add(box("beside", {20, 20, 0.4}));
+  job_.settings.planning.skirt.count = 0;
+  job_.settings.compensation.shrink_xy = 0.05;
+  EXPECT_EQ(refusal(), "");
+  const Point2 at = run().parts[1].at_mm;
+  EXPECT_GE(at.minCoeff(), 10.0 / 0.95 - 1e-6);
+}
+
 TEST_F(PlateJobTest, TurnsAboutFixedAxesInOrder) {
   // x to y about z comes last: the box's x edge, up by the turn about y, stays up.
   const Mesh mesh = test::boxBetween({0, 0, 0}, {10, 20, 30});

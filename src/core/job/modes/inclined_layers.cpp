@@ -59,7 +59,7 @@ void requireToolAxis(const PlaneSettings& plane, const BuildSpace& space) {
       "slicing.plane of " + significantText(plane.angle_deg, kShownDigits) + " deg about " +
       significantText(plane.axis_heading_deg, kShownDigits) + " deg needs the tool axis along " +
       text(wanted) + "; the head of " + space.name + " holds it along " + text(own) + ", for " +
-      (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.tool axis 'down'" : planeOf(own)));
+      (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.tool_axis 'down'" : planeOf(own)));
 }
 
 }  // namespace lamina

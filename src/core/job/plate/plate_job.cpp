@@ -14,6 +14,7 @@
 #include "job/modes/oriented_planning.hpp"
 #include "job/modes/part_slicing.hpp"
 #include "job/part/part_reading.hpp"
+#include "job/part/shrinkage.hpp"
 #include "job/plate/arrangement.hpp"
 #include "job/plate/head_clearance.hpp"
 #include "job/plate/plate_overlap.hpp"
@@ -207,6 +208,14 @@ Polygon hullOf(const Mesh& mesh) {
   return convexHull(std::move(points));
 }
 
+/// As it is deposited: larger where it shrinks afterwards.
+Polygon footprintOf(const PlateItem& item) {
+  if (!changesSize(item.settings.compensation)) return hullOf(item.mesh);
+  SourcePart source;
+  source.mesh = item.mesh;
+  return hullOf(grownForShrinkage(std::move(source), item.settings).mesh);
+}
+
 std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items) {
   std::vector<TowerNeighbour> parts;
   parts.reserve(items.size());
@@ -231,7 +240,7 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
     stand(item);
     std::optional<Point2> at = item.part.at_mm;
     if (!at && settings.plate.arrangement == PlateArrangement::None) at = placeInFile(item);
-    footprints.push_back({item.name, hullOf(item.mesh), at});
+    footprints.push_back({item.name, footprintOf(item), at});
   }
   const std::vector<PlatePlace> places =
       arranged(footprints, roomFor(items, space, settings), settings.plate);
