@@ -238,6 +238,20 @@ TEST_F(SlicingModes, AProgramForAFixedHeadThatWouldHaveToTiltIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(job_.output));
 }
 
+TEST_F(SlicingModes, ABowlThatAHeadHasNoRoomForIsRefusedUnlessMoreMayBeLeftOut) {
+  usePart("sphere", {{"radius_mm", "5"}, {"segments", "32"}});
+  job_.output = folder_.file("sphere.gcode");
+  job_.settings.machine.name = "five_axis_head_table";
+  try {
+    slice("curved");
+    ADD_FAILURE() << "not refused";
+  } catch (const Unreachable& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("(volumetric.largest_left_out_percent)"), std::string::npos)
+        << refusal.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+}
+
 TEST_F(SlicingModes, AnUprightNozzleMayLayShellsThatAreNotTooSteep) {
   job_.output = folder_.file("part.gcode");
   job_.settings.orientation.mode = OrientationMode::Fixed;

@@ -180,15 +180,22 @@ std::string remediesFor(const SliceJob& job, const std::string& mode) {
     if (!job.settings.clearance.raises_tool_axis)
       remedies.emplace_back("or only where there is room (clearance.raise_tool_axis)");
   } else {
+    if (canTurnToolAxis(buildSpaceOf(job.settings.machine)))
+      remedies.emplace_back(
+          "leaving out more of the beads that the head has no room for "
+          "(volumetric.largest_left_out_percent)");
     remedies.emplace_back("another mode (slicing.mode auto or planar)");
   }
   return "; try " + listed(remedies);
 }
 
-void requireClearFor(const SliceJob& job, const std::string& mode, const MachineCheck& check,
+/// @throws Unreachable as `requireRunnable` and `requireClear`, with what to try
+void requireClearFor(const SliceJob& job, const std::string& mode, const CheckedRun& checked,
                      const KinematicModel& model) {
+  if (hasPlaneLayers(mode)) requireRunnable(checked.run, model);
   try {
-    requireClear(check, model);
+    requireRunnable(checked.run, model);
+    requireClear(checked.check, model);
   } catch (const Unreachable& refusal) {
     throw Unreachable(refusal.what() + remediesFor(job, mode));
   }
@@ -205,8 +212,7 @@ KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, Sli
   const CheckedMachine machine(model);
   CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(machine, job, sliced, joints, progress)
                                                       : checkedRun(machine, job, sliced, joints, progress);
-  requireRunnable(checked.run, model);
-  requireClearFor(job, sliced.summary.mode, checked.check, model);
+  requireClearFor(job, sliced.summary.mode, checked, model);
   return std::move(checked.run);
 }
 

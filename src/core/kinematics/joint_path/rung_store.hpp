@@ -32,8 +32,8 @@ struct KeptRung {
 };
 
 /// Rungs of stations, kept from one plan of a toolpath to the next: once some of its motions are divided,
-/// most stations are as before, and solving them takes far longer than anything else. Only rungs of several
-/// samples are kept, and only as many as there is room for.
+/// most stations are as before, and solving them takes far longer than anything else. Only as many are kept
+/// as there is room for.
 class RungStore {
  public:
   /// @param most_bytes  room for all rungs together; 0 keeps nothing

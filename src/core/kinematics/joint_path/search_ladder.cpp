@@ -108,7 +108,8 @@ class BlockSearch {
       return;
     }
     coming_[i] = task_.solver.solve(station);
-    if (coming_[i].samples > 1 && !rungs_.isFull()) solved_[i].emplace(coming_[i]);
+    // What a free joint of a machine is tried at is solved in less time than it takes room.
+    if (coming_[i].kind == SampleKind::Yaw && !rungs_.isFull()) solved_[i].emplace(coming_[i]);
   }
 
   void keepSolved(std::size_t first) {
