@@ -138,7 +138,7 @@ struct TravelSettings {
   Hopping hop = Hopping::Always;
   Combing comb = Combing::None;
   double keep_off_mm = 0.2;       ///< distance of combed travels from the outline, besides half a bead width
-  double comb_longest_mm = 30.0;  ///< longer combed travels are retracted
+  double comb_longest_mm = 30.0;  ///< longer travels inside, combed or over infill, are retracted
   double comb_detour =
       /// Greatest length of a combed travel over that of the straight one; others are straight and retracted.
       3.0;

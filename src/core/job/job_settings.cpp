@@ -155,7 +155,7 @@ std::vector<AskedKey> keysOfEnds(const BeadRunSettings& runs) {
   return {{"starts.rule is not 'keep'", runs.starts.rule != StartRule::Keep},
           {"lead.in is not 'none'", runs.lead.in != LeadShape::None},
           {"lead.out is not 'none'", runs.lead.out != LeadShape::None},
-          {"lead.overlap_mm is not 0 mm", runs.lead.overlap_mm > 0.0},
+          {"lead.overlap_mm is not 0 mm", runs.lead.overlap_mm != 0.0},
           {"entry.distance_mm is not 0 mm", runs.entry.distance_mm > 0.0}};
 }
 

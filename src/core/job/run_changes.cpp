@@ -31,7 +31,9 @@ void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSp
   const EndCount ends = addEnds(toolpath, runs.lead, runs.entry);
   const std::size_t woven = weave(toolpath, runs.weave, settings.motion);
   noteCount(sliced, started, "closed runs start elsewhere than planned (starts.rule)");
-  noteCount(sliced, overlapped, "closed runs go on over their start (lead.overlap_mm)");
+  noteCount(sliced, overlapped,
+            runs.lead.overlap_mm > 0.0 ? "closed runs go on over their start (lead.overlap_mm)"
+                                       : "closed runs end before their start (lead.overlap_mm)");
   noteLeads(sliced, ends.leads);
   noteCount(sliced, woven, "paths are woven (weave.kind)");
   noteCount(sliced, ends.entries, "ways to and from runs are straight (entry.distance_mm)");

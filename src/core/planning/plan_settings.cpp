@@ -139,7 +139,7 @@ void describe(SettingsSchema& schema, TravelSettings& travel) {
   schema.number("travel.keep_off_mm", travel.keep_off_mm, {0.0, 100.0},
                 "How far a bead on such a way would lie off the outline.");
   schema.number("travel.comb_longest_mm", travel.comb_longest_mm, {0.0, 10000.0},
-                "Longest way inside that is not retracted.");
+                "Longest way inside, combed or over infill, that is not retracted.");
   schema.number("travel.comb_detour", travel.comb_detour, {1.0, 1000.0},
                 "Longest way inside, in straight ways; beyond, a travel is straight and retracted.");
   schema.number("travel.wipe_mm", travel.wipe_mm, {0.0, 100.0},

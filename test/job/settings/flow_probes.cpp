@@ -89,7 +89,8 @@ SettingProbe leadProbe() {
            {"lead.radius_mm=3", "lead.in=arc"},
            {"lead.sweep_deg=45", "lead.in=arc"},
            {"lead.process=bead"},
-           {"lead.overlap_mm=5"}}};
+           {"lead.overlap_mm=5"},
+           {"lead.overlap_mm=-0.5"}}};
 }
 
 SettingProbe leadRoomProbe() {

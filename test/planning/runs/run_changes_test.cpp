@@ -229,6 +229,39 @@ TEST(OverlapEnds, GrowsAndFadesToTheBeadEverywhere) {
   }
 }
 
+TEST(OverlapEnds, LeavesAGapIfNegative) {
+  Toolpath toolpath = tube(20.0, 1);
+  const Path whole = toolpath.layers[0].paths[1];
+  LeadSettings settings;
+  settings.overlap_mm = -0.06;
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  validate(toolpath);
+  const Path& path = toolpath.layers[0].paths[1];
+  EXPECT_EQ(path.firstPoint(), whole.firstPoint());
+  EXPECT_NEAR((path.lastPoint() - whole.firstPoint()).norm(), 0.06, 1e-9) << "open";
+  EXPECT_NEAR(depositedVolume(path), crossSection({1.0, 0.5}) * (length(whole) - 0.06), 1e-9);
+}
+
+TEST(OverlapEnds, LeavesAGapOverSeveralMotions) {
+  Toolpath toolpath = tube(20.0, 1);
+  const Path whole = toolpath.layers[0].paths[1];
+  LeadSettings settings;
+  settings.overlap_mm = -2.5 * length(whole) / static_cast<double>(whole.points.size());
+  EXPECT_EQ(overlapEnds(toolpath, settings), 1U);
+  validate(toolpath);
+  const Path& path = toolpath.layers[0].paths[1];
+  EXPECT_EQ(path.points.size(), whole.points.size() - 1)
+      << "all corners but two, and a last point amid a motion";
+  EXPECT_NEAR(length(path), length(whole) + settings.overlap_mm, 1e-9);
+}
+
+TEST(OverlapEnds, LeavesRunsClosedThatTheGapWouldOpenWide) {
+  Toolpath toolpath = tube(1.0, 1);  // the ring is 6.28 mm long
+  LeadSettings settings;
+  settings.overlap_mm = -0.63;
+  EXPECT_EQ(overlapEnds(toolpath, settings), 0U);
+}
+
 TEST(OverlapEnds, RefusesOneAsLongAsTheRun) {
   Toolpath toolpath = tube(1.0, 1);
   LeadSettings settings;

@@ -28,8 +28,8 @@ TEST(Travel, BeyondTheThresholdGoesUpOverAndDownRetracted) {
   EXPECT_TRUE(travel->process.is_retracted);
 }
 
-TEST(Travel, OverInfillIsStraightAtAnyLength) {
-  const auto travel = makeTravel({0, 0, 1}, {50, 0, 1}, travelSettings(), TravelOver::Infill);
+TEST(Travel, OverInfillIsStraightUpToTheLongestWayInside) {
+  const auto travel = makeTravel({0, 0, 1}, {30, 0, 1}, travelSettings(), TravelOver::Infill);
   ASSERT_TRUE(travel);
   EXPECT_EQ(travel->points.size(), 2U);
   EXPECT_FALSE(travel->process.is_retracted);

@@ -50,7 +50,7 @@ struct LeadSettings {
   double sweep_deg = 90.0;  ///< angle of an arc
   double least_mm = 1.0;    ///< leads that are shorter are left out
   LeadDeposit deposit = LeadDeposit::Dry;
-  double overlap_mm = 0.0;  ///< length by which a closed run extends over its own start; 0 for none
+  double overlap_mm = 0.0;  ///< length by which a closed run extends over its own start; negative: a gap
 };
 
 /// Direction along which a tool approaches a run and leaves it.

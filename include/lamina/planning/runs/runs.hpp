@@ -20,8 +20,9 @@ std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
 /// Extends runs that are one closed path over their own start by `overlap_mm`. On the overlap the bead grows
 /// from nothing in the first pass and fades to nothing in the second one, in 16 steps each. Both passes
-/// together deposit the planned bead everywhere.
-/// @return number of runs that were extended
+/// together deposit the planned bead everywhere. A negative overlap ends such runs so much before their
+/// start, if they are at least ten times as long.
+/// @return number of runs that were extended or shortened
 /// @throws InvalidInput naming layer and path if the overlap is as long as the run
 std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings);
 

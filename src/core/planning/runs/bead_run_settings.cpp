@@ -42,9 +42,9 @@ void describeLead(SettingsSchema& schema, LeadSettings& lead) {
       "lead.process", lead.deposit,
       {{"dry", LeadDeposit::Dry}, {"bead", LeadDeposit::Bead}, {"ramp", LeadDeposit::Ramp}},
       "Whether leads lay nothing, the run's bead, or one that grows to it and fades from it.");
-  schema.number("lead.overlap_mm", lead.overlap_mm, {0.0, 1000.0},
+  schema.number("lead.overlap_mm", lead.overlap_mm, {-10.0, 1000.0},
                 "By how much a closed run goes on over its start, where the bead grows as it fades at the "
-                "end; 0 for none.");
+                "end; negative ends it so much before its start.");
 }
 
 void describeLevels(SettingsSchema& schema, LevelSettings& levels) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kOverlapSteps = 16;
 constexpr double kOverlapEnd = 1e-9;  // mm
+constexpr double kMostGap = 0.1;      // of a closed run; a shorter run stays closed
 
 /// Places at equal ways along the first `way_mm` of a path.
 std::vector<CutPlace> stepsAlong(const Path& path, double way_mm) {
@@ -73,6 +74,34 @@ Path overlapping(const Path& closed, double way_mm) {
   return open;
 }
 
+/// The place so far from the end of a path.
+CutPlace placeBeforeEnd(const Path& path, double way_mm) {
+  std::size_t motion = path.motionCount() - 1;
+  for (; motion > 0 && motionLength(path, motion) <= way_mm + kOverlapEnd; --motion)
+    way_mm -= motionLength(path, motion);
+  return {motion, 1.0 - way_mm / motionLength(path, motion)};
+}
+
+/// The path without its end; events there come at the new one.
+Path endedEarly(const Path& closed, double gap_mm) {
+  const CutPlace end = placeBeforeEnd(closed, gap_mm);
+  auto [run, rest] = cutAt(withWaypoints(closed, {end}), end.motion + 1);
+  for (PathEvent& placed : rest.events) {
+    placed.motion = run.motionCount();
+    run.events.push_back(std::move(placed));
+  }
+  return std::move(run);
+}
+
+/// @throws InvalidInput if the overlap is as long as the run
+Path closedBy(const Path& path, double overlap_mm, const std::string& place) {
+  const double whole_mm = length(path);
+  if (overlap_mm < 0.0) return -overlap_mm < kMostGap * whole_mm ? endedEarly(path, -overlap_mm) : path;
+  if (overlap_mm < whole_mm) return overlapping(path, overlap_mm);
+  throw InvalidInput(place + ": lead.overlap_mm is " + numberText(overlap_mm) +
+                     " mm; must be less than the closed run, " + numberText(whole_mm) + " mm");
+}
+
 }  // namespace
 
 std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
@@ -84,12 +113,9 @@ std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings) {
     Path& path = pathAt(toolpath, place);
     const RunTravels travels = travelsOf(toolpath, places, run);
     if (run.count() > 1 || !path.is_closed || travels.is_joined) continue;
-    if (!(settings.overlap_mm < length(path)))
-      throw InvalidInput(placeText(toolpath, place) + ": lead.overlap_mm is " +
-                         numberText(settings.overlap_mm) + " mm; must be less than the closed run, " +
-                         numberText(length(path)) + " mm");
     const NozzlePose before = endPose(path);
-    path = overlapping(path, settings.overlap_mm);
+    path = closedBy(path, settings.overlap_mm, placeText(toolpath, place));
+    if (path.is_closed) continue;
     if (travels.after != nullptr) shiftStart(*travels.after, before, endPose(path));
     ++count;
   }

@@ -62,7 +62,8 @@ void wipeBefore(Path& travel, std::vector<Path>& before, const TravelSettings& s
 }  // namespace
 
 bool isRetracted(double distance_mm, TravelOver over, const TravelSettings& settings) {
-  return over == TravelOver::Anything && distance_mm > settings.retraction_threshold_mm;
+  return distance_mm > settings.retraction_threshold_mm &&
+         (over == TravelOver::Anything || isRetractedInside(distance_mm, settings));
 }
 
 bool isRetractedInside(double way_mm, const TravelSettings& settings) {
