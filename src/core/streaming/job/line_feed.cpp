@@ -37,9 +37,9 @@ class ReadAhead {
   /// What the thread works on. It outlives the reader if the disk does not answer, since a thread that waits
   /// for a disk cannot be ended.
   struct Shared {
-    LineFeed::Source source;           ///< of the thread alone
-    std::function<bool()> hasChanged;  ///< of the thread alone
-    std::mutex mutex;                  ///< of everything below
+    LineFeed::Source source;            ///< of the thread alone
+    std::function<bool()> has_changed;  ///< of the thread alone
+    std::mutex mutex;                   ///< of everything below
     std::condition_variable changed;
     std::deque<Batch> read;
     bool is_over = false;  ///< nothing more is read, or wanted
@@ -64,7 +64,7 @@ constexpr std::chrono::seconds kLongestEnd{1};
 ReadAhead::ReadAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s)
     : shared_(std::make_shared<Shared>()), patience_(patience_s) {
   shared_->source = std::move(source);
-  shared_->hasChanged = std::move(hasChanged);
+  shared_->has_changed = std::move(hasChanged);
   thread_ = std::thread([shared = shared_] { run(*shared); });
 }
 
@@ -100,8 +100,8 @@ void ReadAhead::run(Shared& shared) {
   while (true) {
     Batch batch = readBatch(shared);
     // Read before it was looked at, so that nothing unchecked is in it.
-    const bool is_last = batch.size() < kBatchLines || shared.hasChanged();
-    if (shared.hasChanged()) batch.clear();
+    const bool is_last = batch.size() < kBatchLines || shared.has_changed();
+    if (shared.has_changed()) batch.clear();
     if (!hand(shared, std::move(batch)) || is_last) break;
   }
   {

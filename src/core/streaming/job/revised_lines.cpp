@@ -12,7 +12,7 @@ namespace {
 /// The lines of its text, each as it is.
 LineFeed::Source rawLinesOf(const StreamableProgram& program) {
   const std::shared_ptr<std::istream> text = program.openText();
-  const LineFeed::Source source = [text]() -> std::optional<ProgramLine> {
+  LineFeed::Source source = [text]() -> std::optional<ProgramLine> {
     ProgramLine line;
     if (!std::getline(*text, line.command)) return std::nullopt;
     return line;
