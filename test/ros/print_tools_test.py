@@ -7,6 +7,7 @@ tools/draw_cell of a cell's timeline, without a master.
 
 Usage: print_tools_test.py ROOT
 """
+import ast
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -24,6 +25,7 @@ import unittest
 import xml.etree.ElementTree
 from unittest import mock
 
+import lamina.srv
 import rospy
 from lamina.msg import ProcessState
 from lamina.srv import MachineRestResponse
@@ -53,6 +55,33 @@ def report(seq, stamp_s, flow):
     message.header.seq = seq
     message.header.stamp = rospy.Time(stamp_s)
     return message
+
+
+def requests_of(source):
+    """(line, type of the service, names of the fields, number of values without a name) of each request that a source makes: by a
+    proxy itself, or by `call(name, type, ...)`."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        named = [word.arg for word in node.keywords if word.arg]
+        of_proxy = isinstance(node.func, ast.Call) and getattr(node.func.func, "attr", "") == "ServiceProxy"
+        if of_proxy and isinstance(node.func.args[1], ast.Name):
+            yield node.lineno, node.func.args[1].id, named, sum(not isinstance(value, ast.Starred) for value in node.args)
+        elif getattr(node.func, "id", getattr(node.func, "attr", "")) == "call" and len(node.args) >= 2:
+            yield node.lineno, node.args[1].id, named, len(node.args) - 2
+
+
+class Requests(unittest.TestCase):
+    def test_name_their_fields_so_that_a_new_field_breaks_none(self):
+        found = 0
+        for path in sorted((ROOT / "tools").glob("print_*")):
+            for line, kind, named, unnamed in requests_of(path.read_text()):
+                found += 1
+                self.assertEqual(unnamed, 0, f"{path.name}:{line}")
+                if hasattr(lamina.srv, kind):
+                    fields = getattr(lamina.srv, kind)._request_class.__slots__
+                    self.assertLessEqual(set(named), set(fields), f"{path.name}:{line}")
+        self.assertGreater(found, 8)
 
 
 @mock.patch("rospy.is_shutdown", return_value=False)
