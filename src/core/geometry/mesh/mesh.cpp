@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/mesh/mesh.hpp"
 
-#include <Eigen/Geometry>
+#include "geometry/mesh/six_volumes.hpp"
 
 namespace lamina {
 
@@ -16,15 +16,7 @@ Box3 boundingBox(const Mesh& mesh) {
 double volume(const Mesh& mesh) {
   if (mesh.triangles.empty()) return 0.0;
   // Summed about a vertex of the mesh, so that a part far from the origin loses no digits.
-  const Point3 origin = mesh.vertices[mesh.triangles.front()[0]];
-  double six_volumes = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Point3 a = mesh.vertices[t[0]] - origin;
-    const Point3 b = mesh.vertices[t[1]] - origin;
-    const Point3 c = mesh.vertices[t[2]] - origin;
-    six_volumes += a.dot(b.cross(c));
-  }
-  return six_volumes / 6.0;
+  return volumeFrom(mesh.vertices[mesh.triangles.front()[0]], mesh);
 }
 
 double surfaceArea(const Mesh& mesh) {

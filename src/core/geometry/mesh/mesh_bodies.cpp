@@ -6,17 +6,12 @@
 #include <cmath>
 
 #include "geometry/boxes.hpp"
+#include "geometry/mesh/six_volumes.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr std::uint32_t kUnseen = 0xFFFFFFFF;
-
-/// Six times the volume between the triangle and the origin.
-double sixVolumes(const Mesh& mesh, const Triangle& t, const Point3& origin) {
-  return (mesh.vertices[t[0]] - origin)
-      .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
-}
 
 /// The angle under which a triangle is seen [VanOosterom1983], positive from its inside.
 double solidAngle(const Point3& a, const Point3& b, const Point3& c) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +9,7 @@
 
 #include "geometry/mesh/mesh_bodies.hpp"
 #include "geometry/mesh/repair/steps.hpp"
+#include "geometry/mesh/six_volumes.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -68,18 +68,6 @@ void compact(Mesh& mesh) {
     for (std::uint32_t& v : t) v = moved[v];
 }
 
-/// Seen from the point; of a surface with cracks nearly what it encloses if the point is in its middle [mm³].
-double volumeFrom(const Point3& point, const Mesh& mesh) {
-  double sixfold = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Point3 a = mesh.vertices[t[0]] - point;
-    const Point3 b = mesh.vertices[t[1]] - point;
-    const Point3 c = mesh.vertices[t[2]] - point;
-    sixfold += a.dot(b.cross(c));
-  }
-  return std::abs(sixfold) / 6.0;
-}
-
 /// The mesh on its way through the steps, with its topology.
 class Repair {
  public:
@@ -94,7 +82,8 @@ class Repair {
     apply(dropRepeatedTriangles(std::move(mesh_), topology_));
     apply(dropBackOfDoubledSurface(std::move(mesh_)));
     const Point3 middle = boundingBox(mesh_).centre();
-    const double given_mm3 = volumeFrom(middle, mesh_);
+    // Of a surface with cracks it is nearly what it encloses, seen from its middle.
+    const double given_mm3 = std::abs(volumeFrom(middle, mesh_));
     apply(stitchBorders(std::move(mesh_), topology_, tolerance));
     apply(splitAtBorderVertices(std::move(mesh_), topology_, tolerance));
     apply(dropDegenerateTriangles(std::move(mesh_)));
@@ -106,7 +95,7 @@ class Repair {
     apply(turnOutwards(std::move(mesh_), topology_));
     compact(mesh_);
     if (holes > kFewHoles && !mesh_.triangles.empty())
-      reportLoss(1.0 - volumeFrom(middle, mesh_) / given_mm3, middle);
+      reportLoss(1.0 - std::abs(volumeFrom(middle, mesh_)) / given_mm3, middle);
   }
 
   std::optional<std::string> defect() const { return findDefect(mesh_, topology_); }
