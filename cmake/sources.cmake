@@ -1,6 +1,6 @@
 # Sources by folder, compiled in batches: the headers of Eigen, Boost and the standard library are parsed once a batch.
 option(LAMINA_UNITY "Compile sources of a folder together, in batches" ON)
-set(LAMINA_BATCH 10 CACHE STRING "Sources that are compiled together at most")
+set(LAMINA_BATCH 12 CACHE STRING "Sources that are compiled together at most")
 
 # lamina_batch_sources(target files...): files of one folder as sources of a target, in batches of their own
 function(lamina_batch_sources target)

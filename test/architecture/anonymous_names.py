@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """No two sources of a folder give the same name to what stands in their anonymous namespaces: a folder's sources are compiled
-together, in batches. The tests of a core folder are one folder, however they are nested. Functions of the command may overload
+together, in batches, and so are those of small folders that one call of lamina_batch_sources names. The tests of a core folder are one folder, however they are nested. Functions of the command may overload
 each other: each prints what its own subcommand found.
 
 Usage: anonymous_names.py [ROOT]   exits 1 and names each name with the sources that use it
@@ -15,6 +15,7 @@ CLOSES = re.compile(r"^\}  // namespace$")
 TYPE = re.compile(r"^(?:struct|class|enum class|enum|union) (\w+)\b(?!.*;$)")
 ALIAS = re.compile(r"^using (\w+) =|^namespace (\w+) =")
 CONSTANT = re.compile(r"^(?:static |constexpr |const |inline |thread_local )+[^(=]*?\b(\w+)(?:\[\w*\])*\s*(?:=|\{|\()")
+BATCHED = re.compile(r"^lamina_batch_sources\(\w+\s+([^)]*)\)", re.MULTILINE)
 FUNCTION = re.compile(r"^[A-Za-z_][\w:<>,&*\s\[\]]*?[\s&*](\w+)\(")
 WORDS = {"if", "for", "while", "switch", "return", "using", "static_assert", "template"}
 
@@ -53,15 +54,24 @@ def folders_of(root):
     return folders
 
 
+def calls_of(root):
+    """Sources of several folders that are compiled together."""
+    for lists in sorted((root / "src").rglob("CMakeLists.txt")):
+        for call in BATCHED.findall(lists.read_text()):
+            sources = [lists.parent / source for source in call.split() if not source.startswith("$")]
+            if len({source.parent for source in sources}) > 1:
+                yield lists.parent, sources
+
+
 def faults(root):
-    for folder, sources in sorted(folders_of(root).items()):
+    for folder, sources in (*sorted(folders_of(root).items()), *calls_of(root)):
         users = collections.defaultdict(list)
         for path in sources:
             for name in names_of(path.read_text(), "overloads" if folder.name == "cli" else "all"):
-                users[name].append(path.name)
+                users[name].append(path.relative_to(folder).as_posix())
         for name, files in sorted(users.items()):
             if len(files) > 1:
-                yield f"{folder.relative_to(root)}: {name} stands in {' and in '.join(files)}; expected one source of the folder"
+                yield f"{folder.relative_to(root)}: {name} stands in {' and in '.join(files)}; expected one of the sources compiled together"
 
 
 if __name__ == "__main__":

@@ -332,6 +332,13 @@ class AnonymousNames(unittest.TestCase):
     def test_other_folders_may_use_it(self):
         self.assertEqual(self.found("src/core/base/a.cpp", "src/core/geometry/a.cpp"), [])
 
+    def test_folders_that_are_compiled_together_may_not(self):
+        together = "lamina_batch_sources(lamina_core\n  flow/a.cpp\n  lift/b.cpp)\n"
+        files = {"src/core/planning/flow/a.cpp": self.SOURCE, "src/core/planning/lift/b.cpp": self.SOURCE}
+        found = list(anonymous_names.faults(tree({**files, "src/core/planning/CMakeLists.txt": together})))
+        self.assertEqual([fault.split("; ")[0] for fault in found], [
+            f"src/core/planning: {name} stands in flow/a.cpp and in lift/b.cpp" for name in ("half", "kSmall")])
+
     def test_tests_of_a_core_folder_are_one_folder(self):
         self.assertEqual(len(self.found("test/geometry/mesh/a_test.cpp", "test/geometry/polygon/b_test.cpp")), 2)
 

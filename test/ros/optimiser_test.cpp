@@ -21,11 +21,11 @@ namespace lamina {
 namespace {
 
 using lamina_msgs::Status;
-using Client = actionlib::SimpleActionClient<lamina_msgs::OptimiseAction>;
-using Goal = lamina_msgs::OptimiseGoal;
-using Result = lamina_msgs::OptimiseResult;
+using OptimiseClient = actionlib::SimpleActionClient<lamina_msgs::OptimiseAction>;
+using OptimiseGoal = lamina_msgs::OptimiseGoal;
+using OptimiseResult = lamina_msgs::OptimiseResult;
 
-const ros::Duration kPatience(test::kPatience);
+const ros::Duration kSearchPatience(test::kPatience);
 
 const char* const kFront = R"(name: parabolas
 variables: {x: [0, 4]}
@@ -40,35 +40,35 @@ search: {nsga2.population: 8, nsga2.generations: 2}
 
 class Optimiser : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(client_.waitForServer(kPatience)); }
+  void SetUp() override { ASSERT_TRUE(client_.waitForServer(kSearchPatience)); }
 
-  Goal goal(const std::string& study) const {
-    Goal goal;
+  OptimiseGoal goal(const std::string& study) const {
+    OptimiseGoal goal;
     goal.study = study;
     goal.output = folder_.file("out");
     return goal;
   }
 
-  Result ask(const Goal& goal) {
+  OptimiseResult ask(const OptimiseGoal& goal) {
     client_.sendGoal(goal);
-    EXPECT_TRUE(client_.waitForResult(kPatience)) << "the node does not answer";
+    EXPECT_TRUE(client_.waitForResult(kSearchPatience)) << "the node does not answer";
     return *client_.getResult();
   }
 
-  Client client_{names::kOptimise, true};
+  OptimiseClient client_{names::kOptimise, true};
   test::ScratchFolder folder_;
 };
 
 TEST_F(Optimiser, RunsAStudyAndReportsHowFarItIs) {
   std::mutex mutex;
   lamina_msgs::OptimiseFeedback last;
-  client_.sendGoal(goal(kFront), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+  client_.sendGoal(goal(kFront), OptimiseClient::SimpleDoneCallback(), OptimiseClient::SimpleActiveCallback(),
                    [&](const lamina_msgs::OptimiseFeedbackConstPtr& feedback) {
                      const std::lock_guard<std::mutex> lock(mutex);
                      last = *feedback;
                    });
-  ASSERT_TRUE(client_.waitForResult(kPatience));
-  const Result result = *client_.getResult();
+  ASSERT_TRUE(client_.waitForResult(kSearchPatience));
+  const OptimiseResult result = *client_.getResult();
   ASSERT_EQ(result.status.code, Status::OK + 0) << result.status.message;
   EXPECT_EQ(result.failed, 0U);
   EXPECT_GT(result.front_size, 0U);
@@ -87,27 +87,27 @@ TEST_F(Optimiser, RunsAStudyAndReportsHowFarItIs) {
 
 TEST_F(Optimiser, TakesAFileAndSettingsOfTheGoal) {
   writeFile(folder_.file("study.yaml"), kFront);
-  Goal asked = goal(folder_.file("study.yaml"));
+  OptimiseGoal asked = goal(folder_.file("study.yaml"));
   asked.settings = {settingMessage("nsga2.generations", "0")};
-  const Result result = ask(asked);
+  const OptimiseResult result = ask(asked);
   ASSERT_EQ(result.status.code, Status::OK + 0) << result.status.message;
   EXPECT_EQ(result.evaluations, 8U);
 }
 
 TEST_F(Optimiser, RefusesWhatItCannotRun) {
   EXPECT_EQ(ask(goal(folder_.file("none.yaml"))).status.code, Status::FILE_ERROR + 0);
-  const Result unknown = ask(goal("name: x\nvariable: {}\n"));
+  const OptimiseResult unknown = ask(goal("name: x\nvariable: {}\n"));
   EXPECT_EQ(unknown.status.code, Status::INVALID_CONFIG + 0);
   EXPECT_NE(unknown.status.message.find("study:1: unknown key 'variable'"), std::string::npos)
       << unknown.status.message;
-  Goal misspelt = goal(kFront);
+  OptimiseGoal misspelt = goal(kFront);
   misspelt.settings = {settingMessage("nsga2.popluation", "8")};
   EXPECT_EQ(ask(misspelt).status.code, Status::INVALID_CONFIG + 0);
   EXPECT_FALSE(std::filesystem::exists(misspelt.output));
 }
 
 TEST_F(Optimiser, GoesOnWithAJournalUnlessAskedToBeginAnew) {
-  Goal counted = goal(kFront);
+  OptimiseGoal counted = goal(kFront);
   counted.settings = {settingMessage("nsga2.generations", "0")};
   counted.study.replace(counted.study.find("awk"), 3,
                         "sh, -c, 'echo run >> " + folder_.file("runs") + "; exec awk \"$@\"', sh");
@@ -125,7 +125,7 @@ TEST_F(Optimiser, GoesOnWithAJournalUnlessAskedToBeginAnew) {
 }
 
 TEST_F(Optimiser, StopsWhenCancelledAndGoesOnWhenAskedAgain) {
-  Goal slow = goal(kFront);
+  OptimiseGoal slow = goal(kFront);
   slow.study.replace(slow.study.find("awk"), 3, "sh, -c, 'sleep 0.2; exec awk \"$@\"', sh");
   std::atomic<bool> has_journal{false};
   client_.sendGoal(slow);
@@ -136,11 +136,11 @@ TEST_F(Optimiser, StopsWhenCancelledAndGoesOnWhenAskedAgain) {
     return has_journal.load();
   }));
   client_.cancelGoal();
-  ASSERT_TRUE(client_.waitForResult(kPatience));
+  ASSERT_TRUE(client_.waitForResult(kSearchPatience));
   EXPECT_EQ(client_.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(client_.getResult()->status.code, Status::CANCELLED + 0);
   EXPECT_FALSE(std::filesystem::exists(slow.output + "/report.html"));
-  const Result result = ask(slow);
+  const OptimiseResult result = ask(slow);
   EXPECT_EQ(result.status.code, Status::OK + 0) << result.status.message;
   EXPECT_TRUE(std::filesystem::exists(result.report));
 }

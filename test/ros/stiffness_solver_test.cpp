@@ -20,15 +20,15 @@ namespace lamina {
 namespace {
 
 using lamina_msgs::Status;
-using Client = actionlib::SimpleActionClient<lamina_msgs::ComputeStiffnessAction>;
-using Goal = lamina_msgs::ComputeStiffnessGoal;
-using Result = lamina_msgs::ComputeStiffnessResult;
+using SolveClient = actionlib::SimpleActionClient<lamina_msgs::ComputeStiffnessAction>;
+using SolveGoal = lamina_msgs::ComputeStiffnessGoal;
+using SolveResult = lamina_msgs::ComputeStiffnessResult;
 
 constexpr double kModulus = 3861e6;  // Pa: the material's
-const ros::Duration kPatience(test::kPatience);
+const ros::Duration kSolvePatience(test::kPatience);
 
-Goal boxGoal(const std::string& voxel_mm) {
-  Goal goal;
+SolveGoal boxGoal(const std::string& voxel_mm) {
+  SolveGoal goal;
   goal.part = "box";
   goal.settings = {settingMessage("deposition.voxel_mm", voxel_mm)};
   return goal;
@@ -36,23 +36,23 @@ Goal boxGoal(const std::string& voxel_mm) {
 
 class StiffnessSolver : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(client_.waitForServer(kPatience)); }
+  void SetUp() override { ASSERT_TRUE(client_.waitForServer(kSolvePatience)); }
 
-  Result ask(const Goal& goal) {
+  SolveResult ask(const SolveGoal& goal) {
     client_.sendGoal(goal);
-    EXPECT_TRUE(client_.waitForResult(kPatience)) << "the node does not answer";
+    EXPECT_TRUE(client_.waitForResult(kSolvePatience)) << "the node does not answer";
     return *client_.getResult();
   }
 
   ros::NodeHandle node_;
-  Client client_{names::kComputeStiffness, true};
+  SolveClient client_{names::kComputeStiffness, true};
   test::ScratchFolder folder_;
 };
 
 TEST_F(StiffnessSolver, ABoxIsAsStiffAsItsMaterialAndItsSurfaceMovesAlong) {
-  Goal goal = boxGoal("1");
+  SolveGoal goal = boxGoal("1");
   goal.output = folder_.file("box.vtk");
-  const Result result = ask(goal);
+  const SolveResult result = ask(goal);
   ASSERT_EQ(result.status.code, Status::OK + 0) << result.status.message;
   EXPECT_NEAR(result.modulus, kModulus, 1e-4 * kModulus);
   EXPECT_GT(result.force, 0.0);
@@ -61,7 +61,7 @@ TEST_F(StiffnessSolver, ABoxIsAsStiffAsItsMaterialAndItsSurfaceMovesAlong) {
   EXPECT_TRUE(std::filesystem::exists(goal.output));
 
   const auto cloud =
-      ros::topic::waitForMessage<sensor_msgs::PointCloud2>(names::kStiffnessPoints, node_, kPatience);
+      ros::topic::waitForMessage<sensor_msgs::PointCloud2>(names::kStiffnessPoints, node_, kSolvePatience);
   ASSERT_TRUE(cloud);
   EXPECT_EQ(cloud->header.frame_id, names::kBedFrame);
   sensor_msgs::PointCloud2ConstIterator<float> z(*cloud, "z");
@@ -81,29 +81,29 @@ TEST_F(StiffnessSolver, ABoxIsAsStiffAsItsMaterialAndItsSurfaceMovesAlong) {
 }
 
 TEST_F(StiffnessSolver, RefusesWhatItCannotSolve) {
-  Goal missing = boxGoal("1");
+  SolveGoal missing = boxGoal("1");
   missing.part = folder_.file("none.stl");
   EXPECT_EQ(ask(missing).status.code, Status::FILE_ERROR + 0);
-  Goal unknown = boxGoal("1");
+  SolveGoal unknown = boxGoal("1");
   unknown.settings.push_back(settingMessage("stiffness.modulus", "1"));
   EXPECT_EQ(ask(unknown).status.code, Status::INVALID_CONFIG + 0);
-  Goal fine = boxGoal("0.002");
+  SolveGoal fine = boxGoal("0.002");
   fine.output = folder_.file("fine.vtk");
-  const Result refused = ask(fine);
+  const SolveResult refused = ask(fine);
   EXPECT_EQ(refused.status.code, Status::INVALID_INPUT + 0);
   EXPECT_NE(refused.status.message.find("mm"), std::string::npos) << refused.status.message;
   EXPECT_FALSE(std::filesystem::exists(fine.output));
 }
 
 TEST_F(StiffnessSolver, StopsWhenCancelled) {
-  Goal goal = boxGoal("0.125");
+  SolveGoal goal = boxGoal("0.125");
   goal.output = folder_.file("box.vtk");
   std::atomic<int> reports{0};
-  client_.sendGoal(goal, Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+  client_.sendGoal(goal, SolveClient::SimpleDoneCallback(), SolveClient::SimpleActiveCallback(),
                    [&](const lamina_msgs::ComputeStiffnessFeedbackConstPtr&) { ++reports; });
   ASSERT_TRUE(test::waitUntil([&] { return reports > 0; }));
   client_.cancelGoal();
-  ASSERT_TRUE(client_.waitForResult(kPatience));
+  ASSERT_TRUE(client_.waitForResult(kSolvePatience));
   EXPECT_EQ(client_.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(client_.getResult()->status.code, Status::CANCELLED + 0);
   EXPECT_FALSE(std::filesystem::exists(goal.output));

@@ -142,7 +142,7 @@ class SupportingMode {
     SlicingMode mode = slicingModes().find("planar");
     mode.plan = [planar = mode.plan](SourcePart source, const PlanningRequest& request, Progress& progress) {
       PlannedPart planned = planar(std::move(source), request, progress);
-      planned.support = LayerSupport{};
+      planned.support = SupportMeasures{};
       return planned;
     };
     mode.auto_trial = trial;

@@ -25,11 +25,11 @@ namespace {
 using lamina_msgs::FillVoids;
 using lamina_msgs::Status;
 
-constexpr double kPatience = 240.0;  // s: far above what a job takes, for loaded machines
+constexpr double kFillPatience = 240.0;  // s: far above what a job takes, for loaded machines
 
 class VoidFiller : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience))); }
+  void SetUp() override { ASSERT_TRUE(client_.waitForExistence(ros::Duration(kFillPatience))); }
 
   FillVoids::Response call(const std::string& program, const std::string& part = "",
                            const std::vector<lamina_msgs::Setting>& settings = {}) {
@@ -119,7 +119,7 @@ TEST_F(VoidFiller, ShowsTheNewDropsAsMarkers) {
   const std::string text = lamina::test::squareProgram({{4, 4}, {3, 3}});
   ASSERT_EQ(call(written("drops.gcode", text)).status.code, Status::OK + 0);
   const auto markers = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
-      lamina::names::kVoidMarkers, node_, ros::Duration(kPatience));
+      lamina::names::kVoidMarkers, node_, ros::Duration(kFillPatience));
   ASSERT_TRUE(markers);
   std::size_t points = 0;
   for (const auto& marker : markers->markers) {
@@ -186,7 +186,7 @@ TEST_F(VoidFiller, DrawsLinesRoundTheVoidsBetweenBeads) {
   const auto response = call(slicedBox(), "box");
   ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
   const auto markers = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
-      lamina::names::kVoidMarkers, node_, ros::Duration(kPatience));
+      lamina::names::kVoidMarkers, node_, ros::Duration(kFillPatience));
   ASSERT_TRUE(markers);
   ASSERT_EQ(markers->markers.size(), 1 + response.summary.voids_by_class.size());
   std::size_t sides = 0;

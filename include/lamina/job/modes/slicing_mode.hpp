@@ -42,7 +42,7 @@ struct LayerCounts {
 };
 
 /// Measures of how well a mode's layers support each other.
-struct LayerSupport {
+struct SupportMeasures {
   /// Surface that overhangs the mode's own layers by more than its settings allow.
   double unsupported_mm2 = 0.0;
   /// Number of pieces printed along one direction; each curved layer is a piece of its own.
@@ -54,9 +54,9 @@ struct LayerSupport {
 struct PlannedPart {
   Plan plan;
   LayerCounts counts;
-  std::optional<LayerSupport> support;  ///< only from modes that measure it themselves
-  OverhangAngle lean;                   ///< greatest overhang of the walls
-  std::vector<std::string> notes;       ///< notes for the user on the layers, a sentence each
+  std::optional<SupportMeasures> support;  ///< only from modes that measure it themselves
+  OverhangAngle lean;                      ///< greatest overhang of the walls
+  std::vector<std::string> notes;          ///< notes for the user on the layers, a sentence each
   /// Highest z of solid material on the bed before the first layer, such as a base [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
   bool is_fitted = false;  ///< whether the mode has fitted the toolpath to the machine itself

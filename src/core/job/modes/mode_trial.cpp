@@ -18,8 +18,8 @@ SupportCriteria criteriaOf(const JobSettings& settings) {
   return {settings.automatic.max_overhang_deg, settings.slicing.first_layer_height_mm};
 }
 
-LayerSupport measuredSupport(const Mesh& mesh, const PlannedPart& planned, const JobSettings& settings,
-                             Progress& progress) {
+SupportMeasures measuredSupport(const Mesh& mesh, const PlannedPart& planned, const JobSettings& settings,
+                                Progress& progress) {
   const bool is_plane = hasPlaneLayers(settings.slicing.mode);
   UnsupportedSurface surface =
       is_plane ? unsupportedInPlanes(mesh, settings)
@@ -104,7 +104,7 @@ ModeTrial tryMode(const std::string& mode, const SourcePart& source, const Plann
   }
   PlannedPart& planned = *trial.planned;
   if (!planned.support) planned.support = measuredSupport(source.mesh, planned, job.settings, progress);
-  const LayerSupport& support = *planned.support;
+  const SupportMeasures& support = *planned.support;
   const double surface_mm2 = surfaceArea(source.mesh);
   if (surface_mm2 > 0.0) trial.candidate.unsupported_percent = 100.0 * support.unsupported_mm2 / surface_mm2;
   trial.candidate.steps = support.steps;

@@ -158,7 +158,7 @@ PlannedPart planMultiDirection(SourcePart source, const PlanningRequest& request
   const TravelsOverPart travels = leadTravels(planned.plan.toolpath, pieces.growth(), *found.room,
                                               settings.planning.travel.hop_mm, progress);
   planned.counts.slice_s = slice_s;
-  planned.support = LayerSupport{found.unsupported(), found.pieces.size(), found.hanging};
+  planned.support = SupportMeasures{found.unsupported(), found.pieces.size(), found.hanging};
   planned.notes.push_back(noteOnPieces(found, settings.directions.max_overhang_deg));
   for (std::size_t i = 1; i < found.pieces.size(); ++i) planned.notes.push_back(noteOnPiece(found, i));
   planned.notes.push_back(noteOnWays(travels));

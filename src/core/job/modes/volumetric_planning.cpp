@@ -136,9 +136,9 @@ PlannedPart planVolumetric(SourcePart source, const PlanningRequest& request, Pr
   planned.plan.toolpath = std::move(fit.toolpath);
   planned.is_fitted = fit.still_hindered == 0;
   planned.counts.slice_s += slice_s;
-  planned.support = LayerSupport{measures.unsupported_mm2,
-                                 bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
-                                 std::move(hanging)};
+  planned.support = SupportMeasures{
+      measures.unsupported_mm2, bent_layers + (measures.level_layers > 0 ? std::size_t{1} : std::size_t{0}),
+      std::move(hanging)};
   planned.notes = {noteOnGrowth(measures, settings.slicing.layer_height_mm),
                    noteOnHanging(measures, settings.volumetric.max_overhang_deg), noteOnFilling(measures)};
   if (settings.volumetric.target != GrowthTarget::Arrival) planned.notes.push_back(noteOnTarget(measures));
