@@ -12,22 +12,23 @@ namespace lamina {
 
 /// The known state of a layer's cells before the layer is deposited, one value per cell.
 struct LayerKnowledge {
-  std::vector<double> error_mm;  ///< planned less actual height of the surface below; positive if too low
-  std::vector<double> gain;      ///< actual over commanded growth
+  std::vector<double> error_mm;  ///< planned minus actual height of the surface below; positive if too low
+  std::vector<double> gain;      ///< ratio of actual to commanded growth
 };
 
 /// The correction of a layer, one value per cell.
 struct LayerCorrection {
   std::vector<double> amount;  ///< relative change of the volume per length, within the limits of the loop
-  /// Share of the length on which a limit of value or volume (not of slope) changed the amount.
+  /// Share of the length on which the limit on value or on volume changed the amount; the limit on slope does
+  /// not count.
   double limited_share = 0.0;
 };
 
 /// The layer-to-layer law of a free process. The amount is (1 + K F[e] / h) / g - 1. K is the gain of the
 /// loop, F the low-pass along the path and across beads, e the height error, h the planned height of the
-/// layer, and g the gain learnt of the process. The amount is limited in value, in slope along the path by
-/// what the feeder follows at the planned speed, and in the change of the layer's volume. The law has no
-/// integrator, since g is learnt; so nothing winds up at a limit.
+/// layer, and g the learnt gain of the process. Limits apply to the amount, to the change of the layer's
+/// volume, and to the slope along the path, which is at most what the feeder follows at the planned speed.
+/// The law has no integrator, since g is learnt; so nothing winds up at a limit.
 LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& known,
                                const LoopSettings& settings);
 
@@ -35,17 +36,18 @@ LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& kn
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings);
 
-/// Limits wanted amounts in value, volume of the layer and slope. Amounts that are not finite become 0.
+/// The wanted amounts, limited in value, then in volume of the layer, then in slope. Amounts that are not
+/// finite become 0.
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
 
-/// The greatest slope of the amount along a path that the feeder follows at a speed [1/mm]; infinite at speed
-/// 0.
+/// The greatest slope of the amount along a path that the feeder can follow at a speed [1/mm]; infinite at
+/// speed 0.
 double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
 /// The amounts of a layer whose map is replaced while the layer is deposited, one per cell. Cells before
-/// `begin` keep the amounts `from`. From there on the amount changes from that of the cell before to those of
-/// `to`, no faster than the feeder follows, along the current run and the later ones.
+/// `begin` keep the amounts `from`. From `begin` on, the amount goes from that of the cell before to those of
+/// `to`, no faster than the feeder follows; this may last over several runs.
 /// @param from   amounts of the map that is in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change

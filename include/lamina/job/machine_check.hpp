@@ -17,25 +17,25 @@
 
 namespace lamina {
 
-/// A waypoint that a machine or robot cannot reach without fault or collision, or cannot move to.
+/// A waypoint at which a machine or robot has a fault or a collision, or on the way to which it has one.
 struct Finding {
-  WaypointIndex at;             ///< of the toolpath that was asked for
+  WaypointIndex at;             ///< waypoint of the requested toolpath
   Point3 tip = Point3::Zero();  ///< position of the nozzle tip at the fault or collision [mm, part frame]
   std::string what;             ///< kind: `toString(JointFault)`, or "collision"
   std::string reason;           ///< explanation for people
-  std::size_t line = 0;         ///< line of the program that states the joints, from 1; 0 if none does
-  /// Of a collision: the link and what it meets, "link 'head' in the bed"; empty for faults.
+  std::size_t line = 0;         ///< line of the program that states joint values, from 1; 0 if none does
+  /// The link that collides and what it meets, "link 'head' in the bed"; empty for faults.
   std::string meeting = {};
 };
 
 /// Faults and collisions of a toolpath on a machine or robot. A waypoint is listed once for each kind.
 struct MachineCheck {
-  std::size_t waypoints = 0;        ///< number in the toolpath that was asked for
+  std::size_t waypoints = 0;        ///< number of waypoints of the requested toolpath
   std::vector<Finding> faults;      ///< of reach, limits, singularities, in the order of the motion
   std::vector<Finding> collisions;  ///< in the order of the motion
   std::size_t rewinds = 0;          ///< number of travels on which a rotary joint is wound back
-  /// Links that move against each other and are not checked, but for neighbours: as the description says, or
-  /// since they are built into each other (`checkedBodies`).
+  /// Pairs of links, other than neighbours, that move relative to each other but are not checked: the
+  /// description exempts them, or they are built into each other (`checkedBodies`).
   std::vector<std::pair<std::string, std::string>> ignored;
 
   bool isClear() const { return faults.empty() && collisions.empty(); }
@@ -48,11 +48,11 @@ struct MachineCheck {
 MachineCheck checkRun(const KinematicModelRun& run, const CheckedMachine& machine,
                       const ClearanceSettings& settings, Progress& progress);
 
-/// The same, of a machine that nothing more is planned or checked on.
+/// The same for a single check: what the machine is checked with is made for it, and not kept.
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
 
-/// The collisions of a run, each assigned to a waypoint of the toolpath that was asked for.
+/// The collisions of a run, each assigned to a waypoint of the requested toolpath.
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
@@ -63,9 +63,9 @@ ClearanceReport clearanceOf(const KinematicModelRun& run, const CheckedMachine& 
 struct SingularBeads {
   /// Number of waypoints of beads in the divided toolpath, without those that have no joint values.
   std::size_t waypoints = 0;
-  std::size_t near = 0;     ///< number of these that are nearer than the margin
+  std::size_t near = 0;     ///< number of these that are nearer to a singularity than the margin
   double least_deg = 90.0;  ///< least distance from a singularity, from `KinematicModel::singularityMargin`
-  WaypointIndex at;         ///< the first waypoint at that distance, in the toolpath that was asked for
+  WaypointIndex at;         ///< the first waypoint at that distance, in the requested toolpath
   std::size_t line = 0;     ///< line of the program, as in `Finding`
 
   double share() const {
@@ -78,8 +78,8 @@ struct SingularBeads {
 SingularBeads singularBeads(const KinematicModelRun& run, const KinematicModel& model, double margin_deg);
 
 /// Checks that there are neither faults nor collisions.
-/// @throws Unreachable otherwise, with their numbers, the first of them, and which links
-///   meet what, at how many waypoints, from which layer on
+/// @throws Unreachable otherwise, stating how many there are, the first one, and for each link that meets
+///   something, at how many waypoints and from which layer on
 void requireClear(const MachineCheck& check, const KinematicModel& model);
 
 }  // namespace lamina

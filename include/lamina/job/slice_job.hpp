@@ -19,7 +19,7 @@ struct SliceJob {
   JobSettings settings;
 };
 
-/// A sliced part. The toolpath is in the coordinates of the part's file, also if its layers are inclined.
+/// A sliced part. The toolpath is in the coordinates of the part's file, even if its layers are inclined.
 struct SlicedPart {
   Toolpath toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
@@ -29,12 +29,12 @@ struct SlicedPart {
 /// Makes a program from a mesh file: reads and repairs the mesh, slices and plans it, checks the toolpath
 /// against the machine, and writes the program. Everything is checked before the output is touched.
 ///
-/// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle. An arm's program
-/// in RAPID is checked against its joints, and states them if the settings ask for that.
+/// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle. A RAPID program of
+/// an arm is checked against the arm's joints, and states their configuration if the settings ask for it.
 ///
 /// @param progress  stages "read", "slice", "plan", "joints" if joint values are planned, "write"
 /// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix, G-code for a
-///   robot), Unreachable (larger than the machine, or a program that it cannot run), Cancelled
+///   robot), Unreachable (a part larger than the machine, or a program that it cannot run), Cancelled
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
 /// Slices the part in level layers for comparison, as if the head of the job's machine were upright.

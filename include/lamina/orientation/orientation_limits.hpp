@@ -8,25 +8,25 @@
 
 namespace lamina {
 
-/// Angle between two directions [deg], exact also for small ones.
+/// Angle between two directions [deg], accurate for small angles too.
 double angleDeg(const Point3& a, const Point3& b);
 
-/// Angle of a tool axis from straight down [deg].
+/// Angle between a tool axis and straight down [deg].
 double leanDeg(const Point3& tool_axis);
 
-/// The tool axis raised towards straight down, in its own vertical plane, until its lean is at most
-/// `max_deg`. A tool axis straight up has no such plane and leans towards x.
+/// The tool axis turned towards straight down, in its own vertical plane, until its lean is at most
+/// `max_deg`. A tool axis that points straight up has no such plane; it is turned in that of x and z.
 /// @param tool_axis  of unit length
 Point3 withLeanLimit(const Point3& tool_axis, double max_deg);
 
 /// Tool axes near the wanted ones that turn from waypoint to waypoint by at most `max_deg_per_mm` times the
-/// length of the motion. A sudden turn is spread evenly over the motions before and after it. The limit holds
-/// everywhere, on a closed path for the return to its start too. Tool axes that need no change are not
-/// changed. All results lie between wanted ones, so that they keep a limit on lean of up to 90 degrees that
-/// the wanted ones keep.
+/// length of the motion. A sudden turn is spread evenly over the motions before and after it. The limit also
+/// holds for the return to the start of a closed path. Tool axes that need no change are not
+/// changed. Every result lies between wanted ones, so that it keeps any limit on lean, up to 90 degrees, that
+/// they keep.
 ///
 /// @param wanted  of unit length, one or more
-/// @param lengths  of the motions [mm]: as many as there are tool axes if the path is closed, else one less
+/// @param lengths  of the motions [mm]: as many as there are tool axes if the path is closed, else one fewer
 std::vector<Point3> withTurnLimit(const std::vector<Point3>& wanted, const std::vector<double>& lengths,
                                   double max_deg_per_mm);
 

@@ -12,11 +12,12 @@
 
 namespace lamina {
 
-// Frames between this host and the program on the robot: integers of four bytes, most significant byte first,
-// as URScript reads and writes them; angles in millionths of a radian.
+// Frames that this host and the program on the robot exchange: integers of four bytes, most significant byte
+// first, as URScript reads and writes them; angles in millionths of a radian.
 constexpr int kServojJoints = 6;
-/// Number of integers of a target frame: number of the cycle, then positions and velocities now, and
-/// positions and velocities ahead. Cycle 2^31 - 1 is followed by cycle 1; cycle -1 ends the program.
+/// Number of integers of a target frame: number of the cycle, then positions and velocities for this
+/// cycle, then those for the time `CyclicSink::ahead` later. Cycle 2^31 - 1 is followed by cycle 1; cycle -1
+/// ends the program.
 constexpr std::size_t kTargetWords = 1 + 4 * kServojJoints;
 /// Number of integers of a report frame: state, cycle of the newest target, positions.
 constexpr std::size_t kReportWords = 2 + kServojJoints;
@@ -40,7 +41,7 @@ struct ServojReport {
 };
 
 /// The frame of a target.
-/// @param target  of six joints, with a cycle from 1 on
+/// @param target  target of six joints, its cycle at least 1
 TargetBytes targetBytes(const CyclicTarget& target);
 /// The frame that ends the program on the robot.
 TargetBytes endBytes();
@@ -51,7 +52,7 @@ ReportBytes reportBytes(const ServojReport& report);
 struct TargetFrame {
   enum class Kind : std::uint8_t { Target, End, Broken };
   Kind kind = Kind::Broken;
-  CyclicTarget target;  ///< for Target
+  CyclicTarget target;  ///< only if `kind` is `Target`
 };
 /// Decodes a target frame.
 TargetFrame targetOf(const TargetBytes& bytes);
@@ -63,7 +64,7 @@ template <class Bytes>
 class FrameCutter {
  public:
   /// @param bytes  in pieces of any length
-  /// @param whole  called with each complete frame; the rest of `bytes` is ignored if it returns false
+  /// @param whole  called with each complete frame; if it returns false, the rest of `bytes` is ignored
   template <class Whole>
   void add(std::string_view bytes, Whole whole) {
     for (const char byte : bytes) {
@@ -86,7 +87,7 @@ class ReportReader {
   /// The last report; nothing before the first.
   const std::optional<ServojReport>& last() const { return last_; }
   std::size_t count() const { return count_; }  ///< number of reports so far
-  /// Whether a frame was no report; all bytes after it are ignored.
+  /// Whether a frame that is no report has arrived; all bytes after it are ignored.
   bool isBroken() const { return is_broken_; }
 
  private:

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A wait of the nozzle where it is.
+/// A wait during which the nozzle stands still.
 struct Dwell {
   double duration_s = 0.0;
 };
@@ -24,14 +24,14 @@ struct OperatorPause {
   std::string message;  ///< for the operator; one line, may be empty
 };
 
-/// Lines in the language of the machine, which are passed on unchanged.
+/// Lines of code in the language of the machine, passed on unchanged.
 struct MachineCode {
   std::string text;         ///< lines separated by line feeds
   bool moves_axes = false;  ///< whether position, modes and feed are unknown afterwards
 };
 
-/// The part of a plate to which the material deposited from this event on belongs. It has no effect on the
-/// machine.
+/// A mark that names the part of a plate to which the material deposited from this event on belongs. It has
+/// no effect on the machine.
 struct PartMark {
   std::string name;  ///< one line; empty for material of no part
 };
@@ -41,7 +41,7 @@ using ToolpathEvent = std::variant<Dwell, FanShare, OperatorPause, MachineCode, 
 
 /// An event of a path.
 struct PathEvent {
-  std::size_t motion = 0;  ///< motion before which it happens; the number of motions for after the last one
+  std::size_t motion = 0;  ///< index of the motion that follows it; the number of motions if none does
   ToolpathEvent event;
 };
 
@@ -61,11 +61,11 @@ class EventRange {
   Iterator end_;
 };
 
-/// The events between a motion and the one before. Takes time logarithmic in the number of events.
+/// The events between a motion and the previous one. Takes time logarithmic in the number of events.
 /// @param events  in the order of their motions; they must outlive the range
 EventRange eventsBefore(const std::vector<PathEvent>& events, std::size_t motion);
 
-/// Total duration of the dwells between a motion and the one before [s].
+/// Total duration of the dwells between a motion and the previous one [s].
 double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion);
 
 /// The reason why an event is invalid: a negative duration, a share outside of [0, 1], a message or name of

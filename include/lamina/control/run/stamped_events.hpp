@@ -15,22 +15,22 @@ namespace lamina {
 
 /// The points that the sensor saw at an instant.
 struct SensedCloud {
-  std::int64_t stamp_ns = 0;  ///< time of the measurement: the time stamp less the sensor's time offset
+  std::int64_t stamp_ns = 0;  ///< time of measurement: stamp of the cloud minus the sensor's time offset
   Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
-  /// Points of each profile [mm, frame of the sensor]; not finite where one is missing.
+  /// Points, one list per profile [mm, frame of the sensor]; a missing point is not finite.
   std::vector<std::vector<Point3>> profiles;
   std::string sensor = {};  ///< name of the sensor, such as its frame
 };
 
-/// A cloud, or a pose if there is no cloud.
+/// A cloud, or a position of the nozzle tip if there is no cloud.
 struct StampedEvent {
   std::int64_t stamp_ns = 0;
   Point3 tip = Point3::Zero();
   std::shared_ptr<const SensedCloud> cloud;
 };
 
-/// Poses and clouds that wait, in an order that does not depend on when they arrive: by time stamp, poses
-/// before clouds, then by content.
+/// A queue of poses and clouds, whose order does not depend on when they arrive: by time stamp, poses before
+/// clouds, then by content.
 class StampedEvents {
  public:
   /// Whether an event of that time stamp comes too late, since a later one was already removed.
@@ -38,7 +38,7 @@ class StampedEvents {
   void add(const StampedTip& pose);
   void add(SensedCloud cloud);
 
-  /// Removes and returns the first event; nothing if its time stamp is later than that one.
+  /// Removes and returns the first event; nothing if its time stamp is later than `stamp_ns`.
   std::optional<StampedEvent> takeUntil(std::int64_t stamp_ns);
   /// Forgets the events that wait.
   void clear() { waiting_.clear(); }

@@ -7,11 +7,11 @@
 
 namespace lamina {
 
-/// The prism over regions, from z = 0 to `height_mm`: a closed mesh whose triangles face outwards. The walls
-/// are divided where the triangles of top and bottom have points on the border. Empty if there are no
-/// regions.
+/// The prism over regions, from z = 0 to `height_mm`: a closed mesh whose triangles face outwards. Its side
+/// faces are divided at all points that the triangles of top and bottom have on the border. Empty if there
+/// are no regions.
 /// @param height_mm  positive
-/// @throws InvalidInput if outlines cross, as `triangulated`
+/// @throws InvalidInput if outlines cross (see `triangulated`)
 Mesh extruded(const Regions& regions, double height_mm);
 
 }  // namespace lamina

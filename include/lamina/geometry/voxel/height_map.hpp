@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// One height [mm, bed frame], or difference of heights, for each cell of a grid; NaN where nothing is known.
-/// A value type of fixed extent.
+/// A value type, whose grid is set on construction.
 class HeightMap {
  public:
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ class HeightMap {
   double nearest(const Point2& point) const;
 
   /// Height at a point, interpolated linearly in x and y between the centres of the four cells around it. If
-  /// some of the four are unknown or outside the grid, `nearest`.
+  /// one of the four is unknown or outside the grid, the result is that of `nearest`.
   double bilinear(const Point2& point) const;
 
  private:

@@ -15,8 +15,8 @@ namespace lamina {
 /// Reasons why a kinematic model cannot reach a waypoint, or cannot move there as the toolpath asks.
 enum class JointFault : std::uint8_t {
   OutOfReach,      ///< there is no inverse solution
-  OutOfLimits,     ///< there is none within the joints' limits
-  SelfCollision,   ///< a guard forbids all solutions, as links collide (joint_guard.hpp)
+  OutOfLimits,     ///< no inverse solution lies within the joints' limits
+  SelfCollision,   ///< links collide in every solution, as a guard finds (joint_guard.hpp)
   Singular,        ///< nearer to a singularity than the settings allow
   Jump,            ///< joints cannot move there continuously from the waypoint before
   JointUnwinding,  ///< a rotary joint has to be wound back while depositing
@@ -34,12 +34,12 @@ struct FaultyWaypoint {
   std::string reason;  ///< explanation for people, with joint, value and limit
 };
 
-/// Joint values of a kinematic model at every waypoint of a toolpath, in the order of the motion. A closed
-/// path has its waypoint 0 twice: first and last.
+/// Joint values of a kinematic model at every waypoint of a toolpath, in the order of the motion. Waypoint
+/// 0 of a closed path is listed twice, first and last.
 struct JointPath {
   std::vector<WaypointIndex> at;
-  std::vector<JointValues> values;     ///< one for each of `at`; of size 0 where there is no solution
-  std::vector<FaultyWaypoint> faults;  ///< all of them, in the order of the motion
+  std::vector<JointValues> values;     ///< at each waypoint of `at`; empty where there is no solution
+  std::vector<FaultyWaypoint> faults;  ///< all faulty waypoints, in the order of the motion
   /// Angle by which tool axes may deviate from those of the toolpath [rad].
   double tool_axis_tolerance = 0.0;
   std::size_t rewinds = 0;  ///< number of travels on which a rotary joint is wound back by whole turns

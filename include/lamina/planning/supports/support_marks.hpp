@@ -9,16 +9,17 @@
 
 namespace lamina {
 
-/// What is done about an overhang that no mark covers.
+/// Treatment of an overhang that no mark covers.
 enum class UnmarkedOverhangs : std::uint8_t {
   ByAngle,  ///< supported if it leans more than `supports.angle_deg`
   LeftOut   ///< not supported
 };
 
-/// Areas in which supports are forced or blocked, by layer [frame of the layers], or empty.
+/// Areas in which supports are forced or blocked, one entry per layer [frame of the layers]; empty if there
+/// are none.
 struct SupportMarks {
-  std::vector<Regions> never;   ///< overhangs there are not supported
-  std::vector<Regions> always;  ///< overhangs of any angle there are supported; disjoint from `never`
+  std::vector<Regions> never;   ///< areas where overhangs are not supported
+  std::vector<Regions> always;  ///< areas where overhangs of any angle are supported; disjoint from `never`
   UnmarkedOverhangs unmarked = UnmarkedOverhangs::ByAngle;
 };
 

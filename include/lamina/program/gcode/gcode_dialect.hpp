@@ -14,17 +14,17 @@
 
 namespace lamina {
 
-/// Writes a toolpath as G-code of linear axes, in the coordinates of `frame`. It checks everything before it
-/// writes the first piece.
+/// A function that writes a toolpath as G-code of linear axes, in the coordinates of `frame`. It checks
+/// everything before it writes the first piece.
 /// @throws InvalidInput, InvalidConfig as `writeGcode`
 using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                               const ProgramSettings& settings, const TextSink& sink)>;
 
-/// A dialect of G-code: its writer, and which commands its firmware has besides motions; functions without a
-/// command are not planned. Placeholders in braces are replaced by `dialectLine`.
+/// A dialect of G-code: its writer, and the commands that its firmware has besides motions. What the firmware
+/// has no command for is not planned. Placeholders in braces are replaced by `dialectLine`.
 struct GcodeDialect {
   GcodeDialectWriter write;
-  bool has_waits = true;     ///< dwells (G4), by which short layers cool
+  bool has_waits = true;     ///< dwells (G4), which give short layers time to cool
   bool has_extruder = true;  ///< E words; without them the machine's own code switches the process
   bool has_heaters = true;
   bool has_fan = true;
@@ -34,7 +34,7 @@ struct GcodeDialect {
   std::string pause = "M0";        ///< command that waits for the operator
   std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
   std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
-  int least_fan = 1;          ///< least S of M106 that the firmware takes for one of 255, not for a share
+  int least_fan = 1;  ///< least S of M106 that the firmware counts in 255ths; below it, S is a share up to 1
 };
 
 /// All dialects by name, those of plug-ins included: "marlin", "klipper", "reprapfirmware", "grbl"
@@ -42,8 +42,8 @@ struct GcodeDialect {
 /// {write})`.
 Registry<GcodeDialect>& gcodeDialects();
 
-/// Writes in the dialect that `program.dialect` names.
-/// @throws InvalidConfig if there is none of that name; as the dialect's writer
+/// Writes a toolpath in the dialect that `program.dialect` names.
+/// @throws InvalidConfig if there is no dialect of that name; also what its writer throws
 void writeInDialect(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                     const TextSink& sink);
 

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// A direction in which a part is to grow at a place: the normal of the layers there, towards later ones.
+/// The wanted direction of growth at one place of a part: the layers' normal there, towards later layers.
 struct DirectionSample {
   Point3 place = Point3::Zero();       ///< [mm]
   Point3 direction = Point3::UnitZ();  ///< of unit length
@@ -19,11 +19,10 @@ struct DirectionSample {
 /// Reads samples from a table (CSV) with the columns x, y, z [mm] and nx, ny, nz, of any length but 0.
 /// @throws FileError, Cancelled as `readFile`
 /// @throws InvalidInput naming file and line if a number is missing or not finite, or a direction is 0;
-/// naming
-///   the file if it has no row or lacks a column
+///   naming the file if it has no row or lacks a column
 std::vector<DirectionSample> readDirectionSamples(const std::string& path);
 
-/// Samples of the same layers where the part has been moved, turned or scaled.
+/// The samples after the part has been moved, turned or scaled; directions stay normal to the same layers.
 /// @param transform  invertible
 std::vector<DirectionSample> transformed(std::vector<DirectionSample> samples,
                                          const Eigen::Affine3d& transform);

@@ -20,12 +20,12 @@ struct EmulatedPorts {
 };
 
 /// An emulated machine with Marlin firmware, reached at a pseudo-terminal and a TCP port; it runs in a thread
-/// of its own. Replies go to the one of the two from which bytes came last.
+/// of its own. Replies go to the one of the two that sent bytes last.
 class EmulatedMachine {
  public:
   /// @param observer  called from the machine's thread
   /// @throws DeviceError if no pseudo-terminal can be had or the TCP port is in use
-  /// @throws FileError if the link cannot be made, or something else than a symbolic link is at its path
+  /// @throws FileError if the link cannot be made, or its path is taken by anything but a symbolic link
   EmulatedMachine(const EmulatedSettings& settings, std::vector<Fault> faults, const EmulatedPorts& ports,
                   EmulatedObserver observer);
   /// Ends the thread and removes the symbolic link.
@@ -33,8 +33,8 @@ class EmulatedMachine {
   EmulatedMachine(const EmulatedMachine&) = delete;
   EmulatedMachine& operator=(const EmulatedMachine&) = delete;
 
-  /// Path of the symbolic link if there is one, otherwise of the pseudo-terminal itself, which is another one
-  /// after a disconnect.
+  /// Path of the symbolic link if there is one, otherwise of the pseudo-terminal itself, which changes after
+  /// a disconnect.
   std::string pty() const;
   std::uint16_t tcpPort() const;  ///< 0 if there is none
 

@@ -13,7 +13,7 @@ namespace lamina {
 /// Callbacks of a transport; they are called from the thread that runs its io_context.
 struct TransportEvents {
   std::function<void(std::string_view bytes)> received;
-  std::function<void(const std::string& why)> closed;  ///< the other end or an error has closed it; once
+  std::function<void(const std::string& why)> closed;  ///< called once: the other end or an error closed it
 };
 
 /// Interface of a link that carries bytes between host and machine.
@@ -26,14 +26,14 @@ class Transport {
   virtual void open(TransportEvents events) = 0;
   /// Queues bytes to be sent; to be called from the thread that runs the io_context.
   virtual void send(const std::string& bytes) = 0;
-  /// Whether bytes given to `send` have not been sent yet.
+  /// Whether bytes given to `send` still wait to be sent.
   virtual bool isSending() const = 0;
   virtual void close() = 0;
 };
 
 /// Makes the transport for a port: "tcp:host:port", or the path of a serial port or pseudo-terminal.
-/// @param baud  of a serial port; any rate that the port supports
-/// @throws InvalidInput if the name is no port
+/// @param baud  rate of a serial port; any that the port supports
+/// @throws InvalidInput if `port` has none of these forms
 std::unique_ptr<Transport> makeTransport(boost::asio::io_context& context, const std::string& port, int baud);
 
 }  // namespace lamina

@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// When a bead counts as supported (`findOverhangs`).
+/// Conditions under which a bead counts as supported (`findOverhangs`).
 struct OverhangSettings {
   bool is_shown = false;  ///< whether the slicing node finds overhangs and shows them as markers
   double step_mm = 0.2;   ///< greatest distance between the samples of a bead
-  double reach = 1.0;     ///< greatest distance from its middle to its support, in bead heights
-  double overlap = 0.25;  ///< least share of its width that must be supported
+  double reach = 1.0;     ///< greatest distance from the middle of the bead to its support, in bead heights
+  double overlap = 0.25;  ///< least share of the width of the bead that must be supported
 };
 
 /// Adds the keys overhang.*.
