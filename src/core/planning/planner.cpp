@@ -42,9 +42,9 @@
 #include "planning/supports/layers_below.hpp"
 #include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
-#include "planning/travel/retraction.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/travel/wipes.hpp"
 #include "planning/walls/rising_wall.hpp"
 
 namespace lamina {

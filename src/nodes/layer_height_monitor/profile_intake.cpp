@@ -11,7 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 namespace {

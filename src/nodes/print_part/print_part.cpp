@@ -17,7 +17,7 @@
 #include "shutdown.hpp"
 #include "status.hpp"
 #include "tf/transform_intake.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 namespace {

@@ -16,7 +16,7 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "stamps.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 namespace {

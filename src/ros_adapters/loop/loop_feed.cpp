@@ -15,7 +15,7 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "tf/frames.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tf/frames.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 

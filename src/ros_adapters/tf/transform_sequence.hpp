@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 

@@ -15,7 +15,7 @@
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
 #include "tf/transform_intake.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina {
 namespace {

@@ -13,7 +13,7 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "support/scanned_plates.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina::test {
 

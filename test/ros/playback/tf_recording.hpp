@@ -14,7 +14,7 @@
 
 #include "lamina/geometry/vector.hpp"
 #include "names.hpp"
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 namespace lamina::test {
 

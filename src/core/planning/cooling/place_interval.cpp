@@ -13,7 +13,7 @@
 #include "lamina/toolpath/timing.hpp"
 #include "planning/cooling/parking.hpp"
 #include "planning/cooling/place_order.hpp"
-#include "planning/travel/retraction.hpp"
+#include "planning/travel/wipes.hpp"
 
 namespace lamina {
 namespace {

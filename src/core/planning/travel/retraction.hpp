@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "lamina/planning/plan_settings.hpp"
-#include "lamina/toolpath/toolpath.hpp"
 #include "planning/travel/travel.hpp"
 
 namespace lamina {
@@ -16,15 +13,5 @@ bool isRetracted(double distance_mm, TravelOver over, const TravelSettings& sett
 
 /// Whether a combed travel of that length is retracted: beyond `comb_longest_mm`.
 bool isRetractedInside(double way_mm, const TravelSettings& settings);
-
-/// Inserts a wipe before each retracted travel that follows a run of beads. A wipe is a travel of length
-/// `wipe_mm` at the run's feed: back along an open run, or once more along the start of a closed one. The
-/// share `wipe_share` of the retraction happens during it. The retracted travel then starts at the end of the
-/// wipe. Without effect if `wipe_mm` is 0.
-/// @param layers  of one plane, joined by travels
-void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
-
-/// Whether `travel` is a wipe along `run`, which comes before it.
-bool isWipeAlong(const Path& run, const Path& travel);
 
 }  // namespace lamina

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tf/transforms.hpp"
+#include "tf/transform_lookup.hpp"
 
 #include <tf2/exceptions.h>
 
