@@ -252,6 +252,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
         addTime(sliced, job.settings.motion, joint_program);
       },
       [&] { notes = write(job, space, sliced, joint_program); });
+  if (sliced.summary.slow_bead_share < 0.0) addNoteOnTipTime(sliced, job, space);
   sliced.summary.notes.insert(sliced.summary.notes.end(), notes.begin(), notes.end());
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
