@@ -14,7 +14,9 @@
 #include "lamina/job/annotations/program_annotations.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/program/gcode/early_end.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/nozzle_csv.hpp"
 #include "output/terminal_progress.hpp"
@@ -41,6 +43,8 @@ struct Checked {
   SingularBeads singular;
   std::optional<TimedRun> timed;
   RunTime time;  ///< of that run
+  /// Of a program that was cut off: a warning, for what is there can be run or not.
+  std::optional<Finding> early_end;
 };
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
@@ -83,6 +87,7 @@ void printJson(const Checked& checked, const std::string& machine) {
   json["singular_bead_share"] = checked.singular.share();
   json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
+  if (checked.early_end) json["findings"].push_back(toJson(*checked.early_end));
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -95,6 +100,17 @@ void printSingular(const Checked& checked) {
               beads.least_deg, line.c_str(), toText(beads.at).c_str());
 }
 
+void print(const Finding& finding) {
+  const std::string line = finding.line > 0 ? "line " + std::to_string(finding.line) + ", " : "";
+  std::printf("%-11s %s%s: %s\n", finding.what.c_str(), line.c_str(), toText(finding.at).c_str(),
+              finding.reason.c_str());
+}
+
+std::string verdictOn(const Checked& checked) {
+  if (!checked.check.isClear()) return "the machine cannot run it";
+  return checked.early_end ? "the machine can run it as far as it goes" : "the machine can run it";
+}
+
 void printText(const Checked& checked, const std::string& machine) {
   const MachineCheck& check = checked.check;
   std::printf("machine     %s\n", machine.c_str());
@@ -103,10 +119,7 @@ void printText(const Checked& checked, const std::string& machine) {
   for (const Finding& finding : findingsOf(check)) {
     std::vector<Finding>& kind = by_kind[finding.what];
     kind.push_back(finding);
-    if (kind.size() > kShown) continue;
-    const std::string line = finding.line > 0 ? "line " + std::to_string(finding.line) + ", " : "";
-    std::printf("%-11s %s%s: %s\n", finding.what.c_str(), line.c_str(), toText(finding.at).c_str(),
-                finding.reason.c_str());
+    if (kind.size() <= kShown) print(finding);
   }
   for (const auto& [what, kind] : by_kind)
     std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
@@ -117,7 +130,8 @@ void printText(const Checked& checked, const std::string& machine) {
   if (checked.timed)
     std::printf("print time  %s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
                 durationText(checked.time.total_s).c_str(), 100.0 * checked.time.slow_bead_share);
-  std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
+  if (checked.early_end) print(*checked.early_end);
+  std::printf("%s\n", verdictOn(checked).c_str());
 }
 
 std::string quoted(const std::string& text) {
@@ -136,12 +150,23 @@ void writeReport(const MachineCheck& check, const std::string& file) {
   writeFile(file, text);
 }
 
+/// At the last waypoint that is there.
+std::optional<Finding> earlyEndOf(const std::string& input, const KinematicModelRun& run) {
+  if (!isGcodeFile(input) || run.path.at.empty()) return std::nullopt;
+  const std::optional<EarlyEnd> end = earlyEnd(readTextFile(input));
+  if (!end) return std::nullopt;
+  const WaypointIndex& last = run.path.at.back();
+  const Point3& tip = run.toolpath().layers[last.layer].paths[last.path].points[last.waypoint];
+  return Finding{run.divided.originalOf(last), tip, "ends early", end->reason, end->line};
+}
+
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
   const CheckedMachine machine(model);
   KinematicModelRun run = runOfInput(machine, input, settings, progress);
   Checked checked;
   checked.check = checkRun(run, machine, settings.clearance, progress);
+  checked.early_end = earlyEndOf(input, run);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
   if (!run.path.isRunnable()) return checked;
   checked.timed = inTime(std::move(run), model, runSettings(settings).timing);

@@ -8,6 +8,7 @@
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh/mesh_report.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "lamina/geometry/mesh_io/stated_unit.hpp"
 #include "output/point_json.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
@@ -41,7 +42,9 @@ MeshUnits unitsFrom(const InfoArguments& arguments) {
 }
 
 MeshInfo inspect(const InfoArguments& arguments) {
-  Mesh mesh = readMesh(arguments.path, unitsFrom(arguments));
+  const MeshUnits units = unitsFrom(arguments);
+  requireUnitUnstated(arguments.path, units.unit, "--unit");
+  Mesh mesh = readMesh(arguments.path, units);
   TerminalProgress progress;
   MeshInfo info = {reportMesh(mesh, progress), {}};
   try {

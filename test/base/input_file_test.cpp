@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <sys/fsuid.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,6 +43,38 @@ TEST(InputFile, IsFoundInAnyCaseWhereItIsNotThereAsNamed) {
   std::ofstream(folder.file("box_1.ls")) << "b";
   EXPECT_EQ(pathInAnyCase(folder.file("box_1.ls")), folder.file("box_1.ls"));
   EXPECT_EQ(pathInAnyCase(folder.file("Box_1.ls")), folder.file("BOX_1.LS"));
+}
+
+/// Looks at files as a user without rights of its own, also where tests run as root.
+class AsNobody {
+ public:
+  AsNobody() { ::setfsuid(65534); }
+  ~AsNobody() { ::setfsuid(::geteuid()); }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+};
+
+TEST(InputFile, NamesTheFileWhoseFolderCannotBeListed) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("part.src");
+  // Its files may be opened by name.
+  ::chmod(folder.file("").c_str(), 0311);
+  std::string message;
+  {
+    const AsNobody nobody;
+    try {
+      pathInAnyCase(path);
+    } catch (const FileError& error) {
+      message = error.what();
+    }
+  }
+  ::chmod(folder.file("").c_str(), 0700);
+  EXPECT_EQ(message, "cannot read '" + path + "': its folder cannot be listed: Permission denied");
+}
+
+TEST(InputFile, LeavesAMissingFolderToWhoeverOpensTheFile) {
+  const test::ScratchFolder folder;
+  EXPECT_EQ(pathInAnyCase(folder.file("none/part.src")), folder.file("none/part.src"));
 }
 
 TEST(InputFile, AddsTheRestToWhatWasReadBefore) {

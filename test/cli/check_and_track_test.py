@@ -48,6 +48,24 @@ class CheckAndTrack(unittest.TestCase):
         with open(path, newline="") as file:
             return list(csv.DictReader(file))
 
+    def test_a_program_that_was_cut_off_is_reported(self):
+        program = self.path("box.gcode")
+        sliced = run("slice", "box", "--set", "input.scale=0.5", "-o", program, "--json")
+        count = json.loads(sliced.stdout)["layers"]
+        self.assertEqual(count, 50)
+        self.assertEqual(self.reported("check", program)["findings"], [])
+        with open(program) as file:
+            lines = file.readlines()
+        cut = lines.index(";LAYER:25\n")
+        with open(program, "w") as file:
+            file.writelines(lines[:cut])
+        findings = self.reported("check", program)["findings"]
+        self.assertEqual([(found["what"], found["layer"], found["line"]) for found in findings], [("ends early", 24, cut)])
+        self.assertIn("states 50 layers and ends in layer 24", findings[0]["reason"])
+        shown = run("check", program).stdout
+        self.assertIn("ends early  line %d, layer 24, " % cut, shown)
+        self.assertIn("the machine can run it as far as it goes", shown)
+
     def test_what_can_be_run_takes_its_time(self):
         points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
         for machine in ("irb_4600", "five_axis_head_ac", "rus_platform", "cartesian_gantry"):

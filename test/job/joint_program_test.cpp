@@ -167,6 +167,24 @@ TEST_F(JointProgramTest, AProgramInWhichTheMachineCollidesIsRefusedUnlessAsked) 
   EXPECT_TRUE(std::filesystem::exists(job_.output));
 }
 
+// Its table of poses states no joints; the program does, and its time is that of the joints.
+TEST_F(JointProgramTest, ATimeOfTheTipAloneIsNotedWithHowToLearnThatOfTheJoints) {
+  const auto noteOf = [&](const std::string& machine, const std::string& output) {
+    for (const std::string& note : slice(machine, output).summary.notes)
+      if (note.find("print time") != std::string::npos) return note;
+    return std::string();
+  };
+  EXPECT_EQ(noteOf("irb_4600", "box.csv"),
+            "the print time is that of the nozzle's tip alone; the joints may need longer: 'lamina check " +
+                folder_.file("box.csv") + " --machine irb_4600' tells the time within their limits");
+  EXPECT_EQ(noteOf("irb_4600", "box.src"), "");
+  EXPECT_EQ(noteOf("cartesian_gantry", "box.csv"), "");
+  EXPECT_EQ(noteOf("five_axis_head_table", "box.csv"), "") << "nothing turns, and no joint is slower";
+  lean();
+  EXPECT_NE(noteOf("five_axis_head_table", "leaning.csv"), "");
+  EXPECT_EQ(noteOf("five_axis_head_table", "leaning.gcode"), "");
+}
+
 TEST_F(JointProgramTest, WhatIsNotCheckedAgainstTheMachineIsNotedWithHowToCheckIt) {
   const auto notes = [&](const std::string& output) {
     std::string all;

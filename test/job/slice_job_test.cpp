@@ -14,6 +14,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/toolpath/scan_height.hpp"
 #include "support/scratch_folder.hpp"
@@ -172,6 +173,34 @@ TEST_F(SliceJobTest, WritesNothingWhenCancelled) {
     EXPECT_THROW(runSliceJob(job_, watch), Cancelled) << stage;
     EXPECT_FALSE(hasOutput()) << stage;
   }
+}
+
+TEST_F(SliceJobTest, TheSummarysTravelIsThatOfTheProgramWithTheWaysToWaits) {
+  job_.output = folder_.file("box.gcode");
+  job_.settings.cooling.by = CoolingBy::Dwell;
+  const auto travelReadBack = [this] {
+    return totals(readProgram(job_.output, job_.settings.program, job_.settings.machine)).travel_mm;
+  };
+  job_.settings.cooling.least_layer_time_s = 0.0;
+  const double without_mm = run().summary.travel_mm;
+  EXPECT_NEAR(without_mm, travelReadBack(), 0.01);
+  job_.settings.cooling.least_layer_time_s = 600.0;
+  const SlicedPart waiting = run();
+  EXPECT_NEAR(waiting.summary.travel_mm, travelReadBack(), 0.01);
+  // Four of five layers wait at least 5 mm beside the part.
+  ASSERT_EQ(waiting.summary.layers, 5u) << "of 0.2 mm";
+  EXPECT_GT(waiting.summary.travel_mm, without_mm + 4 * 5.0);
+}
+
+TEST_F(SliceJobTest, TheSummarysTravelIsThatOfTheProgramWithPauses) {
+  job_.output = folder_.file("box.gcode");
+  job_.settings.cooling.least_layer_time_s = 0.0;
+  const double without_mm = run().summary.travel_mm;
+  job_.settings.pauses.at_layers = {2};
+  const double with_mm = run().summary.travel_mm;
+  EXPECT_GT(with_mm, without_mm + 5.0);
+  EXPECT_NEAR(totals(readProgram(job_.output, job_.settings.program, job_.settings.machine)).travel_mm,
+              with_mm, 0.01);
 }
 
 TEST_F(SliceJobTest, RefusesAPartWithoutALayer) {

@@ -51,6 +51,39 @@ TEST(Balance, DisplacesAPatchLinearly) {
   });
 }
 
+/// Cancels the work when it is asked for the n-th time.
+class CancelledAt final : public Progress {
+ public:
+  explicit CancelledAt(int look) : look_(look) {}
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return ++looks_ >= look_; }
+  int looks() const { return looks_; }
+
+ private:
+  int look_;
+  mutable int looks_ = 0;
+};
+
+// Fifteen passes of the power iteration on the finest lattice alone, and two smoothings before and after the
+// coarser ones, come before the first iteration ends: each pass over a large lattice takes a second.
+TEST(Balance, CanBeCancelledBeforeEachPassOfItsFirstIteration) {
+  const ElementLattice lattice = latticeOf(test::solidBox({12, 12, 12}, 1.0));
+  ASSERT_GT(lattice.nodeCount(), 1500) << "has a coarser lattice";
+  GivenNodes given;
+  NodeField<double> at_start(lattice.nodeCount());
+  forPlaces(lattice, [&](std::size_t node, const Point3& place) {
+    if (place.z() > 0.0 && place.z() < 12.0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) given[axis].push_back(std::int32_t(node));
+    at_start.along[2][node] = -0.01 * place.z();
+  });
+  for (int look = 1; look <= 15 + 2 + 2; ++look) {
+    CancelledAt progress(look);
+    NodeField<double> u = at_start;
+    EXPECT_THROW(balance({{lattice, kMaterial, 1.0}, given}, {1e-6, 1}, u, progress), Cancelled);
+    EXPECT_EQ(progress.looks(), look);
+  }
+}
+
 TEST(LatticeTransfer, InterpolatesLinearFieldsExactly) {
   const ElementLattice fine = latticeOf(test::noise({21, 14, 9}, 0.5, 5));
   const ElementLattice coarse = ElementLattice::coarsened(fine);

@@ -68,6 +68,7 @@ class InputFile {
 /// The path as it is, or, where no such file is, that of the file in its folder whose name differs in the
 /// case of ASCII letters alone, as controllers write names in capitals; the first in order where there are
 /// several.
+/// @throws FileError that names the file and the reason, if its folder cannot be listed
 std::string pathInAnyCase(const std::string& path);
 
 /// Checks a file that another library is going to open.

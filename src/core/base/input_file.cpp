@@ -141,11 +141,15 @@ std::string pathInAnyCase(const std::string& path) {
   const fs::path folder = file.parent_path();
   const std::string wanted = lowerCase(file.filename().string());
   std::string found;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(folder.empty() ? fs::path(".") : folder, unknown)) {
-    const std::string name = entry.path().filename().string();
+  std::error_code listing;
+  for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, listing);
+       !listing && entry != fs::directory_iterator(); entry.increment(listing)) {
+    const std::string name = entry->path().filename().string();
     if (lowerCase(name) == wanted && (found.empty() || name < found)) found = name;
   }
+  // Where the folder is not there either, whoever opens the file says so.
+  if (listing && fs::exists(folder, unknown))
+    throw FileError("cannot read '" + path + "': its folder cannot be listed: " + listing.message());
   return found.empty() ? path : (folder / found).string();
 }
 

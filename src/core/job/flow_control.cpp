@@ -13,13 +13,6 @@
 namespace lamina {
 namespace {
 
-void renewTotals(SlicedPart& sliced) {
-  const ToolpathTotals sums = totals(sliced.toolpath);
-  sliced.summary.deposition_mm = sums.deposition_mm;
-  sliced.summary.travel_mm = sums.travel_mm;
-  sliced.summary.deposited_mm3 = sums.deposited_mm3;
-}
-
 void makeUpForLag(SlicedPart& sliced, const JobSettings& settings) {
   const FeedForward result =
       feedForward(sliced.toolpath, settings.flow, settings.motion, settings.program.flow);
@@ -29,15 +22,15 @@ void makeUpForLag(SlicedPart& sliced, const JobSettings& settings) {
                 "%zu runs are pushed ahead of the flow; %.4g mm3 along %.4g mm could not be made up for",
                 result.runs, result.unmet_mm3, result.unmet_mm);
   sliced.summary.notes.emplace_back(note);
-  renewTotals(sliced);
 }
 
 /// Volumes of the summary are of beads as planned.
 void noteFlowFactor(SlicedPart& sliced, double factor) {
   if (factor == 1.0) return;
+  const double beads_cm3 = totals(sliced.toolpath).deposited_mm3 / 1e3;
   char note[128];
   std::snprintf(note, sizeof note, "program.flow %.4g feeds %.2f cm3 for the %.2f cm3 of the beads", factor,
-                factor * sliced.summary.deposited_mm3 / 1e3, sliced.summary.deposited_mm3 / 1e3);
+                factor * beads_cm3, beads_cm3);
   sliced.summary.notes.emplace_back(note);
 }
 
@@ -65,7 +58,6 @@ void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& pro
     std::snprintf(note, sizeof note, "%zu runs end without pushing, by %.4g mm3 in all", coasting.runs,
                   coasting.left_mm3);
     sliced.summary.notes.emplace_back(note);
-    renewTotals(sliced);
   }
   makeUpForLag(sliced, settings);
   noteFlowFactor(sliced, settings.program.flow);

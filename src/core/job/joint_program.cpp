@@ -277,6 +277,10 @@ void refuseOtherArms(const SliceJob& job, const BuildSpace& space) {
                      "joints (trajectory_driver)");
 }
 
+std::string checkCommand(const std::string& input, const MachineSettings& machine) {
+  return "lamina check " + input + " --machine " + (machine.urdf.empty() ? machine.name : machine.urdf);
+}
+
 /// A program that begins with a move of joints.
 void requireSixJoints(const SliceJob& job, const BuildSpace& space) {
   if (canTurnToolAxis(space) && isSixAxisArm(*kinematicModelOf(job.settings.machine))) return;
@@ -309,11 +313,22 @@ bool isRefusedUnlessClear(const SliceJob& job) {
 std::string noteOnUnchecked(const SliceJob& job) {
   if (job.output.empty() || job.settings.clearance.need == ClearanceNeed::Never || isRefusedUnlessClear(job))
     return "";
-  const MachineSettings& machine = job.settings.machine;
   return "it was not checked whether the machine runs into bed, part or itself: '" + job.output +
-         "' is no program of it (clearance.need turning); 'lamina check " + job.output + " --machine " +
-         (machine.urdf.empty() ? machine.name : machine.urdf) +
+         "' is no program of it (clearance.need turning); '" +
+         checkCommand(job.output, job.settings.machine) +
          "' tells, and with clearance.need always only what is clear is written";
+}
+
+void addNoteOnTipTime(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space) {
+  if (!canTurnToolAxis(space)) return;
+  const MachineSettings& machine = job.settings.machine;
+  const bool is_robot = kinematicModelOf(machine)->toolAxisSpin() == ToolAxisSpin::Given;
+  if (!is_robot && greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) <= kHeldToolAxis)
+    return;
+  sliced.summary.notes.push_back(
+      "the print time is that of the nozzle's tip alone; the joints may need longer: '" +
+      checkCommand(job.output.empty() ? job.part : job.output, machine) +
+      "' tells the time within their limits");
 }
 
 void requireProgramFor(const SliceJob& job, const BuildSpace& space) {

@@ -35,6 +35,10 @@ bool isRefusedUnlessClear(const SliceJob& job);
 /// check it; empty if it is checked before it is written, nothing is written, or `clearance.need` is `never`.
 std::string noteOnUnchecked(const SliceJob& job);
 
+/// Notes of a part whose time is that of the nozzle's tip alone, though a machine runs it whose joints may
+/// need longer, which command tells that time. Nothing is noted of machines that move linear axes alone.
+void addNoteOnTipTime(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space);
+
 /// Refuses a job that asks for G-code of a robot.
 /// @throws InvalidInput
 void requireProgramFor(const SliceJob& job, const BuildSpace& space);

@@ -40,10 +40,6 @@ void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSp
   noteCount(sliced, ends.without_tangent,
             "of these ways go along the tool axis for want of room along the run (entry.direction)");
   if (started + overlapped + ends.leads.added + woven + ends.entries == 0) return;
-  const ToolpathTotals sums = totals(toolpath);
-  sliced.summary.deposition_mm = sums.deposition_mm;
-  sliced.summary.travel_mm = sums.travel_mm;
-  sliced.summary.deposited_mm3 = sums.deposited_mm3;
   // Heads that turn are judged by their joints once these are planned.
   if (canTurnToolAxis(space))
     requireTipsReachable(toolpath, sliced.bed_from_part, space);

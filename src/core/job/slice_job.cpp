@@ -135,6 +135,14 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   return {};
 }
 
+/// Of the toolpath as it is written: with leads, ways to where the nozzle waits, and beads cut short.
+void addLengths(SlicedPart& sliced) {
+  const ToolpathTotals sums = totals(sliced.toolpath);
+  sliced.summary.deposition_mm = sums.deposition_mm;
+  sliced.summary.travel_mm = sums.travel_mm;
+  sliced.summary.deposited_mm3 = sums.deposited_mm3;
+}
+
 /// Within the limits of the joints, where they are led.
 void addTime(SlicedPart& sliced, const MotionLimits& limits,
              const std::optional<JointProgram>& joint_program) {
@@ -236,10 +244,15 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
-  // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
+  // The figures are walks along the whole toolpath by one thread; they refuse nothing that was planned.
   std::vector<std::string> notes;
-  inParallel([&] { addTime(sliced, job.settings.motion, joint_program); },
-             [&] { notes = write(job, space, sliced, joint_program); });
+  inParallel(
+      [&] {
+        addLengths(sliced);
+        addTime(sliced, job.settings.motion, joint_program);
+      },
+      [&] { notes = write(job, space, sliced, joint_program); });
+  if (sliced.summary.slow_bead_share < 0.0) addNoteOnTipTime(sliced, job, space);
   sliced.summary.notes.insert(sliced.summary.notes.end(), notes.begin(), notes.end());
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();

@@ -87,10 +87,13 @@ class Multigrid {
  public:
   /// @param elements  their lattice outlives the multigrid
   /// @param given     components of nodes that stay 0
-  Multigrid(const ElasticElements& elements, const GivenNodes& given);
+  /// @param progress  outlives the multigrid; asked before each pass over a lattice, which may take a second
+  /// @throws Cancelled
+  Multigrid(const ElasticElements& elements, const GivenNodes& given, const Progress& progress);
 
   /// Roughly the displacement that `scale` times a force causes.
   /// @param force  0 where displacements are given
+  /// @throws Cancelled
   const NodeField<float>& operator()(const NodeField<double>& force, double scale);
 
  private:
@@ -98,6 +101,7 @@ class Multigrid {
   void solve(std::size_t at);
   void correct(std::size_t at);
 
+  const Progress& progress_;
   std::vector<std::unique_ptr<const ElementLattice>> coarser_;
   std::vector<MultigridLevel> levels_;
   std::unique_ptr<const CoarseFactor> coarsest_;
@@ -122,6 +126,7 @@ void addElement(const ElementMatrix& stiffness, double density, const std::array
   }
 }
 
+constexpr const char* kSolving = "solve";  // the stage of progress
 constexpr std::int32_t kCoarsestNodes = 1500;
 constexpr int kSmoothings = 2;  // degree of the polynomial, before and after
 // Coarse elements are too stiff where struts bend; measured on scaffolds, this saves a fifth of the
@@ -159,13 +164,14 @@ void subtractProduct(MultigridLevel& level) {
 }
 
 /// By power iteration from noise.
-float greatestEigenvalue(MultigridLevel& level) {
+float greatestEigenvalue(MultigridLevel& level, const Progress& progress) {
   Random random(1);
   for (auto& component : level.step.along)
     for (float& value : component) value = static_cast<float>(random.uniform(-1.0, 1.0));
   clearGiven(level.step, level.given);
   double eigenvalue = normalise(level.step, level.inverse_diagonal);
   for (int i = 0; i < kEigenvalueIterations && eigenvalue > 0.0; ++i) {
+    throwIfCancelled(progress, kSolving);
     clear(level.residual);
     subtractProduct(level);
     forEntries(level.step.size(), [&](std::size_t axis, std::size_t begin, std::size_t end) {
@@ -179,8 +185,9 @@ float greatestEigenvalue(MultigridLevel& level) {
   return eigenvalue > 0.0 ? static_cast<float>(kEigenvalueMargin * eigenvalue) : 1.0F;
 }
 
-void smooth(MultigridLevel& level) {
+void smooth(MultigridLevel& level, const Progress& progress) {
   for (int k = 1; k <= kSmoothings; ++k) {
+    throwIfCancelled(progress, kSolving);
     const float keep = static_cast<float>(2 * k - 3) / static_cast<float>(2 * k + 1);
     const float take =
         static_cast<float>(8 * k - 4) / (static_cast<float>(2 * k + 1) * level.greatest_eigenvalue);
@@ -238,7 +245,8 @@ void CoarseFactor::solve(const NodeField<float>& force, NodeField<float>& displa
       displacement.along[axis][node] = float(solved[Eigen::Index(3 * node + axis)]);
 }
 
-Multigrid::Multigrid(const ElasticElements& elements, const GivenNodes& given) {
+Multigrid::Multigrid(const ElasticElements& elements, const GivenNodes& given, const Progress& progress)
+    : progress_(progress) {
   addLevel(elements, given);
   while (levels_.back().elements.lattice.nodeCount() > kCoarsestNodes) {
     const MultigridLevel& fine = levels_.back();
@@ -259,7 +267,7 @@ void Multigrid::addLevel(const ElasticElements& elements, GivenNodes given) {
   const double whole = diagonalOfElement(elements.material, elements.element_mm);
   for (float& density : level.inverse_diagonal)
     density = static_cast<float>(1.0 / (whole * static_cast<double>(density)));
-  level.greatest_eigenvalue = greatestEigenvalue(level);
+  level.greatest_eigenvalue = greatestEigenvalue(level, progress_);
 }
 
 /// Adds what the coarser lattice makes of the residual.
@@ -287,11 +295,11 @@ void Multigrid::solve(std::size_t at) {
     return;
   }
   clear(level.solution);
-  smooth(level);
+  smooth(level, progress_);
   const int visits = at == 0 ? 1 : 2;
   for (int visit = 0; visit < visits; ++visit) {
     correct(at);
-    smooth(level);
+    smooth(level, progress_);
   }
 }
 
@@ -337,13 +345,13 @@ Iteration balance(const ElasticProblem& problem, const IterationLimits& limits,
   const double start = length(residual);
   Iteration reached;
   if (start == 0.0) return reached;
-  Multigrid precondition(problem.elements, problem.given);
+  Multigrid precondition(problem.elements, problem.given, progress);
   NodeField<double> direction(lattice.nodeCount());
   NodeField<double> product(lattice.nodeCount());
   double before = 0.0;
   reached.residual = 1.0;
   while (reached.residual > limits.residual && reached.count < limits.iterations) {
-    throwIfCancelled(progress, "solve");
+    throwIfCancelled(progress, kSolving);
     // Scaled, so that single precision holds it.
     const double size = reached.residual * start;
     const NodeField<float>& step = precondition(residual, 1.0 / size);
@@ -358,7 +366,7 @@ Iteration balance(const ElasticProblem& problem, const IterationLimits& limits,
     combine(1.0, residual, -stride, product);
     reached.residual = length(residual) / start;
     ++reached.count;
-    progress.report("solve", std::clamp(std::log(reached.residual) / std::log(limits.residual), 0.0, 1.0));
+    progress.report(kSolving, std::clamp(std::log(reached.residual) / std::log(limits.residual), 0.0, 1.0));
   }
   return reached;
 }

@@ -383,8 +383,10 @@ StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& s
                        " (stiffness.iterations); smaller voxels need fewer");
   result.iterations = reached.count;
   result.residual = reached.residual;
+  throwIfCancelled(progress, "solve");
   addReactions(settings.material, result);
   result.modulus_mpa = equivalentModulus(model.load, settings.load, result.force_n);
+  throwIfCancelled(progress, "solve");
   result.stress = stressOf(model.lattice, settings.material, model.element_mm, result.displacement);
   findGreatestStress(result);
   return result;

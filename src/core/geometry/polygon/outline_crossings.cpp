@@ -8,13 +8,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/polygon/one_side.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
 
-/// Twice the area of a triangle that counts as flat [mm²]: above the rounding of coordinates of metres.
-constexpr double kFlat = 1e-8;
 /// Pairs of edges looked at, per edge, before giving up.
 constexpr std::size_t kMostPairs = 64;
 
@@ -31,20 +30,13 @@ struct ActiveEdge {
   std::uint32_t edge;
 };
 
-/// Whether the line through a and b has c and d clearly on one side.
-bool leavesOnOneSide(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const double first = side(a, b, c);
-  const double second = side(a, b, d);
-  return (first > kFlat && second > kFlat) || (first < -kFlat && second < -kFlat);
-}
-
 bool areApart(const Edge& a, const Edge& b) {
   return leavesOnOneSide(a.from, a.to, b.from, b.to) || leavesOnOneSide(b.from, b.to, a.from, a.to);
 }
 
 /// Neighbours share a point; they are apart otherwise unless the one folds back onto the other.
 bool areNeighboursApart(const Edge& first, const Edge& second) {
-  if (std::abs(side(first.from, first.to, second.to)) > kFlat) return true;
+  if (std::abs(side(first.from, first.to, second.to)) > kFlatTriangle) return true;
   return (first.to - first.from).dot(second.to - second.from) > 0.0;
 }
 

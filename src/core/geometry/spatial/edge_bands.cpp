@@ -5,19 +5,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/polygon/one_side.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
-
-/// Twice the area of a triangle that counts as flat [mm²].
-constexpr double kFlat = 1e-8;
-
-bool leavesOnOneSide(const BorderEdge& line, const BorderEdge& edge) {
-  const double first = side(line.from, line.to, edge.from);
-  const double second = side(line.from, line.to, edge.to);
-  return (first > kFlat && second > kFlat) || (first < -kFlat && second < -kFlat);
-}
 
 bool reachesAcross(const BorderEdge& edge, double y) { return (edge.from.y() > y) != (edge.to.y() > y); }
 
@@ -67,7 +59,9 @@ bool EdgeBands::areApartFrom(const BorderEdge& edge) const {
     const BorderEdge& other = edges_[in_band_[k]];
     if (std::max(other.from.x(), other.to.x()) < low_x || std::min(other.from.x(), other.to.x()) > high_x)
       continue;
-    if (!leavesOnOneSide(other, edge) && !leavesOnOneSide(edge, other)) return false;
+    if (!leavesOnOneSide(other.from, other.to, edge.from, edge.to) &&
+        !leavesOnOneSide(edge.from, edge.to, other.from, other.to))
+      return false;
   }
   return true;
 }

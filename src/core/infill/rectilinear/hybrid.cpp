@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "infill/least_gap.hpp"
 #include "infill/rectilinear/pass_adaptation.hpp"
 #include "infill/rectilinear/raster.hpp"
 #include "infill/rectilinear/raster_direction.hpp"
@@ -30,8 +31,6 @@ struct PerimeterFill {
 
 /// An area is taken for wide enough if so much of it at most is not, in squared pitches.
 constexpr double kNegligible = 0.1;
-/// Smaller gaps are not worth a run, in squared pitches.
-constexpr double kLeastGap = 0.3;
 /// Half of the thickness of gaps that beads reach over anyway, in pitches.
 constexpr double kThinnestGap = 0.1;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "infill/least_gain.hpp"
 #include "infill/rectilinear/section_order.hpp"
 
 namespace lamina {
@@ -10,8 +11,6 @@ namespace {
 
 constexpr std::size_t kWindow = 64;
 constexpr int kMostPasses = 8;
-/// A move must gain more than rounding makes [mm].
-constexpr double kLeastGain = 1e-9;
 
 /// A tour that is improved move by move. The place before the first visit is the start, the one after the
 /// last costs nothing.

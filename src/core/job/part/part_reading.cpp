@@ -12,6 +12,7 @@
 #include "lamina/geometry/mesh/extrusion.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
+#include "lamina/geometry/mesh_io/stated_unit.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/geometry/svg/svg_reader.hpp"
 
@@ -29,6 +30,8 @@ Mesh extrudedOutline(const std::string& part, const InputSettings& settings) {
   return mesh;
 }
 
+constexpr const char* kUnit = "input.unit";
+
 /// What is neither a file nor looks like the name of one is taken for a part.
 void requireFileOrPart(const std::string& part) {
   const std::filesystem::path path(part);
@@ -40,7 +43,10 @@ void requireFileOrPart(const std::string& part) {
 Mesh readOrMake(const std::string& part, const InputSettings& settings, Progress& progress) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
   if (!isPartName(part)) requireFileOrPart(part);
-  if (!isPartName(part)) return readMesh(part, settings.units, settings.tessellation, progress);
+  if (!isPartName(part)) {
+    requireUnitUnstated(part, settings.units.unit, kUnit);
+    return readMesh(part, settings.units, settings.tessellation, progress);
+  }
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;
@@ -71,6 +77,7 @@ std::vector<SourceObject> readParts(const std::string& part, const InputSettings
     objects.push_back({"", readPart(part, settings, progress)});
     return objects;
   }
+  requireUnitUnstated(part, settings.units.unit, kUnit);
   for (MeshObject& object : readMeshObjects(part, settings.units, settings.tessellation, progress)) {
     objects.push_back({std::move(object.name), fitToSlice(std::move(object.mesh), settings.repair)});
     objects.back().source.volumes = std::move(object.volumes);

@@ -7,14 +7,14 @@
 #include <variant>
 
 #include "lamina/toolpath/layer_frame.hpp"
+#include "planning/same_height.hpp"
 #include "toolpath/layer_time.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kBeside = 5.0;       // mm
-constexpr double kSameHeight = 1e-6;  // mm
-constexpr double kUpright = 1e-3;     // rad
+constexpr double kBeside = 5.0;    // mm
+constexpr double kUpright = 1e-3;  // rad
 
 /// The way out and back along the tool axis, and the wait at its end.
 void waitAlong(const Point3& against_tool_axis, double lift_mm, Path& path) {

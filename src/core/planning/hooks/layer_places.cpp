@@ -7,14 +7,10 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "planning/same_height.hpp"
 #include "toolpath/part_begin.hpp"
 
 namespace lamina {
-namespace {
-
-constexpr double kSameHeight = 1e-6;  // mm
-
-}  // namespace
 
 std::size_t firstBead(const ToolpathLayer& layer) {
   const auto bead = std::find_if(layer.paths.begin(), layer.paths.end(),

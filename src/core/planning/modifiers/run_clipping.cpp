@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "planning/shortest_piece.hpp"
+
 namespace lamina {
 namespace {
-
-constexpr double kShortestPiece = 1e-3;  // mm
 
 /// Pieces of a run, one being made.
 class Pieces {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "infill/least_gain.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
@@ -63,8 +64,6 @@ OrderedRun EndGrid::takeNearest(const Point2& point) {
 constexpr int kMostPasses = 4;
 /// How far apart in the order two places may lie that an improvement joins.
 constexpr std::size_t kWindow = 32;
-/// Gains below this are rounding, and could be undone and redone for ever [mm].
-constexpr double kLeastGain = 1e-9;
 
 const Point2& startOf(const std::vector<RunEnds>& runs, const OrderedRun& ordered) {
   return ordered.is_reversed ? runs[ordered.run].last : runs[ordered.run].first;

@@ -7,15 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "planning/shortest_piece.hpp"
+
 namespace lamina {
 namespace {
 
-constexpr double kStep = 1.0;            // bead widths between the places that are looked at, at most
-constexpr double kBeyondEntry = 0.01;    // by which a share passes an entry, so that rounding does not
-constexpr double kWhole = 0.98;          // from this share on nothing is below
-constexpr double kStraight = 0.95;       // of a stretch: the distance of its ends by its length
-constexpr double kShortestPiece = 1e-3;  // mm
-constexpr double kFactorStep = 0.002;    // factors in between are rounded
+constexpr double kStep = 1.0;          // bead widths between the places that are looked at, at most
+constexpr double kBeyondEntry = 0.01;  // by which a share passes an entry, so that rounding does not
+constexpr double kWhole = 0.98;        // from this share on nothing is below
+constexpr double kStraight = 0.95;     // of a stretch: the distance of its ends by its length
+constexpr double kFactorStep = 0.002;  // factors in between are rounded
 
 double roundedTo(double value, double step) { return std::round(value / step) * step; }
 

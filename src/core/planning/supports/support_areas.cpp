@@ -11,12 +11,12 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/order/near_origin.hpp"
+#include "planning/same_height.hpp"
 #include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSameHeight = 1e-6;  // mm: rounding of layer borders
 constexpr double kLeastOnBed = 0.25;  // of a layer: a lower bead on the bed has no room for the nozzle
 /// Bead widths: where the layers' steps are left out, of what hangs over, which is so much larger, and of
 /// what falls, which loses no more than that again.

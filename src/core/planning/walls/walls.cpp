@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "infill/least_gap.hpp"
 #include "infill/variable_width/medial_beads.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -69,8 +70,7 @@ double areaThinnerThan(const Regions& material, double thickness_mm) {
 
 /// In squared pitches: corners may hold as much without being taken for narrow places.
 constexpr double kCorners = 0.1;
-/// In squared pitches: smaller narrow places get no bead, but for those that are seen from outside.
-constexpr double kLeastGap = 0.3;
+/// The least gap of those that are seen from outside, in squared pitches.
 constexpr double kLeastFin = 0.05;
 /// In bead widths: a shorter run in a corner of the outer wall is left out.
 constexpr double kLeastRun = 1.0;

@@ -10,11 +10,10 @@
 #include "lamina/program/gcode/gcode_line.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "program/stated_height.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
 
 bool takePrefix(std::string_view& text, const std::string& prefix) {
   if (prefix.empty() || text.substr(0, prefix.size()) != prefix) return false;
@@ -143,7 +142,7 @@ class DropParser {
     if (!is_in_part_) return;
     if (!reached_) refuse("a drop before any motion; where it falls is not known");
     const bool rises = !program_.layers.empty() && std::abs(program_.layers.back().drops.back().position.z() -
-                                                            reached_->z()) > kSameHeight;
+                                                            reached_->z()) > kSameStatedHeight;
     if (program_.layers.empty() || is_new_layer_ || (!has_layer_marks_ && rises))
       program_.layers.emplace_back();
     is_new_layer_ = false;

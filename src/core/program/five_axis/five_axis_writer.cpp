@@ -33,6 +33,7 @@
 #include "program/gcode/start_code.hpp"
 #include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
+#include "program/text_piece.hpp"
 
 namespace lamina {
 namespace {
@@ -256,8 +257,6 @@ void FiveAxisLines::comment(const char* key, double value, std::string& text) {
   text.append(key).append(digits, writeFixed<5>(digits, toUnits(value, 1e5))).append("\n");
 }
 
-constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
-
 void requireWritable(const ListedPath& listed) {
   if (listed.path->deposit == Deposit::Drops)
     refuseWaypoint(listed, 0, "drops are deposited; a five-axis program deposits beads only");
@@ -302,7 +301,7 @@ class FiveAxisProgram {
     bool is_retracted = false;
     for (std::size_t p = 0; p < paths_.size(); ++p) {
       writePath(p, is_retracted, lines, text);
-      if (text.size() < kPiece) continue;
+      if (text.size() < kTextPiece) continue;
       sink(text);
       text.clear();
     }

@@ -24,6 +24,7 @@
 #include "program/gcode/slicer_comments.hpp"
 #include "program/gcode/tool_offsets.hpp"
 #include "program/motion_values.hpp"
+#include "program/stated_height.hpp"
 
 namespace lamina {
 namespace {
@@ -153,8 +154,6 @@ Path PathBuilder::build(double layer_height_mm, double volume_per_filament) cons
   if (deposits_) path.bead = beads(layer_height_mm, volume_per_filament);
   return path;
 }
-
-constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
 
 /// The builder's handlers, and one that recognises a program of drops.
 GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
@@ -317,7 +316,7 @@ class ToolpathBuilder::State {
     const double z = motion.end.z();
     std::size_t kept = runs_.size();
     while (kept > 0 && !runs_[kept - 1].deposits()) --kept;
-    if (kept > 0 && std::abs(runs_[kept - 1].lastZ() - z) > kSameHeight) closeLayer(kept);
+    if (kept > 0 && std::abs(runs_[kept - 1].lastZ() - z) > kSameStatedHeight) closeLayer(kept);
   }
 
   /// Of the first run of the part, else of the first that deposits, among so many.
@@ -336,7 +335,7 @@ class ToolpathBuilder::State {
     const double below_mm = toolpath_.layers.empty() ? 0.0 : toolpath_.layers.back().z_mm;
     const double step_mm = layer.z_mm - below_mm;
     layer.height_mm =
-        runs_.front().layerHeight().value_or(step_mm > kSameHeight ? step_mm : fallback_height_mm_);
+        runs_.front().layerHeight().value_or(step_mm > kSameStatedHeight ? step_mm : fallback_height_mm_);
     fallback_height_mm_ = layer.height_mm;
     layer.paths.reserve(count);
     for (std::size_t i = 0; i < count; ++i)

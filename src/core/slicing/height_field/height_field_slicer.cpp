@@ -155,10 +155,12 @@ class Fit {
       : top_(top), cells_(cells), is_followed_(is_followed), settings_(settings) {
     for (int row = 0; row <= cells.rows; ++row)
       for (int column = 0; column < cells.columns; ++column)
-        addEdge(corner(column, row), corner(column + 1, row), {column, row}, {column, row - 1});
+        addEdge(cornerOf(cells_, column, row), cornerOf(cells_, column + 1, row), {column, row},
+                {column, row - 1});
     for (int row = 0; row < cells.rows; ++row)
       for (int column = 0; column <= cells.columns; ++column)
-        addEdge(corner(column, row), corner(column, row + 1), {column, row}, {column - 1, row});
+        addEdge(cornerOf(cells_, column, row), cornerOf(cells_, column, row + 1), {column, row},
+                {column - 1, row});
   }
 
   std::vector<double> solve() && {
@@ -172,11 +174,6 @@ class Fit {
     int column = 0;
     int row = 0;
   };
-
-  std::size_t corner(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_.columns + 1) +
-           static_cast<std::size_t>(column);
-  }
 
   bool isFollowed(const Cell& at) const {
     return cells_.contains(at.column, at.row) && is_followed_[cells_.cell(at.column, at.row)] != 0;

@@ -64,11 +64,6 @@ class Raster {
             static_cast<int>(std::floor((high - cells_.origin.y()) / cells_.cell_mm + margin))};
   }
 
-  std::size_t corner(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_.columns + 1) +
-           static_cast<std::size_t>(column);
-  }
-
   void addToCorners(const Corners& triangle) {
     const Span columns = columnsOf(triangle, kRounding);
     const Span rows = rowsOf(triangle, kRounding);
@@ -88,7 +83,7 @@ class Raster {
     const double third = 1.0 - first - second;
     if (std::min({first, second, third}) < -kRounding) return;
     const double height = first * triangle[0].z() + second * triangle[1].z() + third * triangle[2].z();
-    std::optional<double>& highest = top_.at_corner[corner(column, row)];
+    std::optional<double>& highest = top_.at_corner[cornerOf(cells_, column, row)];
     highest = highest ? std::max(*highest, height) : height;
   }
 
@@ -101,8 +96,8 @@ class Raster {
       const int c = column + 2 * x;
       const int r = row + 2 * y;
       if (c < 0 || r < 0 || c > cells_.columns || r > cells_.rows) continue;
-      const std::optional<double>& near = known[corner(column + x, row + y)];
-      const std::optional<double>& far = known[corner(c, r)];
+      const std::optional<double>& near = known[cornerOf(cells_, column + x, row + y)];
+      const std::optional<double>& far = known[cornerOf(cells_, c, r)];
       if (!near || !far) continue;
       sum += 2.0 * *near - *far;
       ++count;
@@ -115,7 +110,8 @@ class Raster {
     const std::vector<std::optional<double>> known = top_.prolonged;
     for (int row = 0; row <= cells_.rows; ++row)
       for (int column = 0; column <= cells_.columns; ++column)
-        if (!known[corner(column, row)]) top_.prolonged[corner(column, row)] = inLine(known, column, row);
+        if (!known[cornerOf(cells_, column, row)])
+          top_.prolonged[cornerOf(cells_, column, row)] = inLine(known, column, row);
   }
 
   void addToHalves(const Corners& triangle) {

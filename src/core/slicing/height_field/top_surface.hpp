@@ -13,6 +13,13 @@
 
 namespace lamina {
 
+/// Number of the corner at the low side of a cell, also of cells one beyond the grid: corners are numbered
+/// row by row, and a row has one more of them than cells.
+inline std::size_t cornerOf(const HeightGrid& cells, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns + 1) +
+         static_cast<std::size_t>(column);
+}
+
 /// The three corners of a triangular half of a cell. Each cell is cut into two triangles along its rising
 /// diagonal: half 2 c is the lower right one of cell c, with its low, right and high corner; half 2 c + 1 is
 /// the upper left one, with its low, left and high corner. From corner to corner it goes along one axis, then

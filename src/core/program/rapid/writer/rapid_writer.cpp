@@ -20,6 +20,7 @@
 #include "program/rapid/writer/rapid_notes.hpp"
 #include "program/rapid/writer/rapid_passages.hpp"
 #include "program/rapid/writer/rapid_speeds.hpp"
+#include "program/text_piece.hpp"
 
 namespace lamina {
 
@@ -204,8 +205,6 @@ RapidSettings settingsFor(const RapidSettings& settings, const RobotMotion* robo
   return checkedRapidSettings(has_cell ? withArmCell(settings, robot->arm) : settings);
 }
 
-constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
-
 double riseOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
   return (bed_from_part.linear() * layerNormal(toolpath)).dot(bed_from_part.translation());
 }
@@ -282,7 +281,7 @@ class RapidProgram::State {
     for (std::size_t left = chunk.points; left > 0; --left) {
       lines_.append(place, text);
       if (++place.move == plan_.paths[place.path].moveCount()) place = {place.path + 1, 0};
-      if (text.size() < kPiece) continue;
+      if (text.size() < kTextPiece) continue;
       sink(text);
       text.clear();
     }

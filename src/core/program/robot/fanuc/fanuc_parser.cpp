@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lamina/program/robot/robot_angles.hpp"
+#include "program/robot/reader/line_sequence.hpp"
 
 namespace lamina {
 namespace {
@@ -21,31 +22,19 @@ constexpr const char* kFanucCoordinate = "a coordinate within 100 m, in mm";
 using FanucPoint = std::variant<JointMove, TipMove>;
 
 /// Reads text across lines.
-class FanucText {
+class FanucText : public LineSequence {
  public:
-  /// @param begin  index of the first line that is read
   FanucText(std::vector<std::string_view> lines, const ReadFile& file, std::size_t begin = 0)
-      : lines_(std::move(lines)), file_(file), next_(begin) {}
+      : LineSequence(std::move(lines), file, begin), cursor_("", 1, file) {}
 
-  bool isAtEnd() const { return next_ == lines_.size(); }
-  LineCursor nextLine() {
-    const std::string_view text = lines_[next_++];
-    return {text, next_, file_};
-  }
-  /// The next line, which stays the next.
-  LineCursor lineAhead() const { return {lines_[next_], next_ + 1, file_}; }
   /// The line that holds what comes next.
   LineCursor& here() {
     while (cursor_.isAtEnd() && !isAtEnd()) cursor_ = nextLine();
     return cursor_;
   }
-  std::size_t lineCount() const { return lines_.size(); }
 
  private:
-  std::vector<std::string_view> lines_;
-  const ReadFile& file_;
-  std::size_t next_;
-  LineCursor cursor_{"", 1, file_};
+  LineCursor cursor_;
 };
 
 void readFrames(FanucText& text) {
@@ -157,10 +146,8 @@ class FanucParser {
   }
 
  private:
-  LineCursor end() const { return {"", text_.lineCount() + 1, file_}; }
-
   void readName() {
-    if (text_.isAtEnd()) end().refuse("/PROG");
+    if (text_.isAtEnd()) text_.end().refuse("/PROG");
     text_.nextLine().expect("/PROG");
     file_.quotation.recognise();
   }
@@ -170,7 +157,7 @@ class FanucParser {
       LineCursor line = text_.nextLine();
       if (line.take("/MN")) return line.expectEnd();
     }
-    end().refuse("/MN, which begins the statements");
+    text_.end().refuse("/MN, which begins the statements");
   }
 
   void readLines() {
@@ -194,7 +181,7 @@ class FanucParser {
       else
         readComment(line);
     }
-    end().refuse("/POS, which begins the points");
+    text_.end().refuse("/POS, which begins the points");
   }
 
   void readComment(LineCursor& line) {
@@ -405,13 +392,13 @@ class FanucParser {
   void readPoints() {
     FanucText text = text_;
     for (bool is_found = false; !is_found;) {
-      if (text.isAtEnd()) end().refuse("/POS, which begins the points");
+      if (text.isAtEnd()) text_.end().refuse("/POS, which begins the points");
       LineCursor line = text.nextLine();
       is_found = line.take("/POS");
     }
     while (true) {
       LineCursor start = text.here();
-      if (start.isAtEnd()) end().refuse("/END");
+      if (start.isAtEnd()) text_.end().refuse("/END");
       if (text.here().take("/END")) return text.here().expectEnd();
       auto [number, point] = fanucPoint(text);
       if (!points_.emplace(number, std::move(point)).second)

@@ -11,6 +11,7 @@
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/robot/notes/path_notes.hpp"
+#include "program/robot/reader/line_sequence.hpp"
 
 namespace lamina {
 namespace {
@@ -38,7 +39,7 @@ struct InformUnits {
 class InformParser {
  public:
   explicit InformParser(const RobotSourceText& source)
-      : file_{source.file, {}}, lines_(textLines(source.text)) {}
+      : file_{source.file, {}}, lines_(textLines(source.text), file_) {}
 
   std::vector<ReadStatement> parse() {
     readHead();
@@ -49,19 +50,12 @@ class InformParser {
   }
 
  private:
-  bool isAtEnd() const { return next_ == lines_.size(); }
-  LineCursor nextLine() {
-    const std::string_view text = lines_[next_++];
-    return {text, next_, file_};
-  }
-  LineCursor end() const { return {"", lines_.size() + 1, file_}; }
-
   /// Notes on units hold for the whole file, also for points, which stand before them.
   void readUnits() {
     StatementList comments;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      LineCursor line(lines_[i], i + 1, file_);
-      if (line.take("'")) comments.addComment(line.rest(), i + 1);
+    for (LineSequence lines = lines_.fromStart(); !lines.isAtEnd();) {
+      LineCursor line = lines.nextLine();
+      if (line.take("'")) comments.addComment(line.rest(), line.line());
     }
     for (const ReadStatement& statement : comments.take()) {
       NoteWords words(std::get<NoteLine>(statement.what).text, statement.line, file_.name);
@@ -80,8 +74,8 @@ class InformParser {
 
   void readHead() {
     bool is_job = false;
-    while (!isAtEnd()) {
-      LineCursor line = nextLine();
+    while (!lines_.isAtEnd()) {
+      LineCursor line = lines_.nextLine();
       if (line.isAtEnd()) continue;
       if (!is_job) {
         line.expect("/JOB");
@@ -93,14 +87,14 @@ class InformParser {
         line.refuse("//NAME or //POS");
       }
     }
-    end().refuse(is_job ? "//POS" : "/JOB");
+    lines_.end().refuse(is_job ? "//POS" : "/JOB");
   }
 
   void readPoints() {
     InformPointKind kind = InformPointKind::None;
     int stated = -1;
-    while (!isAtEnd()) {
-      LineCursor line = nextLine();
+    while (!lines_.isAtEnd()) {
+      LineCursor line = lines_.nextLine();
       if (line.isAtEnd()) continue;
       if (line.take("//INST")) {
         line.expectEnd();
@@ -116,7 +110,7 @@ class InformParser {
       else
         readPoint(line, kind);
     }
-    end().refuse("//INST");
+    lines_.end().refuse("//INST");
   }
 
   static int pointCounts(LineCursor& line) {
@@ -173,8 +167,8 @@ class InformParser {
 
   void readInstructions() {
     bool is_begun = false;
-    while (!isAtEnd()) {
-      LineCursor line = nextLine();
+    while (!lines_.isAtEnd()) {
+      LineCursor line = lines_.nextLine();
       if (line.isAtEnd()) continue;
       if (!is_begun) {
         is_begun = line.take("NOP");
@@ -192,12 +186,12 @@ class InformParser {
         line.expectEnd();
       }
     }
-    end().refuse(is_begun ? "END" : "NOP");
+    lines_.end().refuse(is_begun ? "END" : "NOP");
   }
 
   void requireNothingMore() {
-    while (!isAtEnd()) {
-      LineCursor line = nextLine();
+    while (!lines_.isAtEnd()) {
+      LineCursor line = lines_.nextLine();
       if (!line.isAtEnd()) line.refuse("nothing after END");
     }
   }
@@ -343,8 +337,7 @@ class InformParser {
   }
 
   ReadFile file_;
-  std::vector<std::string_view> lines_;
-  std::size_t next_ = 0;
+  LineSequence lines_;
   InformUnits units_;
   std::map<std::string, InformPoint> points_;
   StatementList list_;

@@ -149,7 +149,7 @@ class KrlPrinter : public RobotPrinter {
   void add(const TipMove& move) {
     const std::string speed = trimmedDecimals(move.feed_mm_s * kMetreOfSpeed, kKrlSpeedDecimals);
     if (speed != speed_)
-      addLine("$VEL.CP=" + speed + (hasDrySpeed() ? "*" + std::string(kDrySpeedVariable) : ""));
+      addLine("$VEL.CP=" + speed + (site_.hasDrySpeed() ? "*" + std::string(kDrySpeedVariable) : ""));
     speed_ = speed;
     ++points_;
     std::string target = pose(move);
@@ -184,16 +184,14 @@ class KrlPrinter : public RobotPrinter {
                output.is_on);
   }
 
-  bool hasDrySpeed() const { return site_.settings.dry_speed_percent < 100.0; }
-
   /// Comes before all statements.
   std::string declaration() const {
-    return hasDrySpeed() && points_ > 0 ? "DECL REAL " + std::string(kDrySpeedVariable) + "\n" : "";
+    return site_.hasDrySpeed() && points_ > 0 ? "DECL REAL " + std::string(kDrySpeedVariable) + "\n" : "";
   }
 
   /// A variable of the program itself: an override of the controller would outlast it.
   std::string drySpeed() const {
-    if (!hasDrySpeed()) return "";
+    if (!site_.hasDrySpeed()) return "";
     const std::string variable(kDrySpeedVariable);
     return variable + "=1.0\nIF $FLAG[" + std::to_string(site_.settings.dry_flag) + "] THEN\n" + variable +
            "=" + trimmedDecimals(0.01 * site_.settings.dry_speed_percent, kKrlSpeedDecimals) + "\nENDIF\n";

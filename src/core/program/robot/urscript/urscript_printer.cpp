@@ -134,10 +134,8 @@ class UrScriptPrinter : public RobotPrinter {
   }
 
  private:
-  bool hasDrySpeed() const { return site_.settings.dry_speed_percent < 100.0; }
-
   std::string drySpeed() const {
-    if (!hasDrySpeed()) return "";
+    if (!site_.hasDrySpeed()) return "";
     const std::string variable(kDrySpeedVariable);
     return "  global " + variable + " = 1.0\n  if lamina_dry:\n    " + variable + " = " +
            trimmedDecimals(0.01 * site_.settings.dry_speed_percent, kUrDecimals) + "\n  end\n";
@@ -178,7 +176,7 @@ class UrScriptPrinter : public RobotPrinter {
     std::string text = (is_process ? "movep(" : "movel(") + urPose(base_from_bed_ * pose) +
                        ", a=" + trimmedDecimals(site_.settings.urscript.acceleration_m_s2, 3) +
                        ", v=" + trimmedDecimals(kUrMetre * move.feed_mm_s, kUrDecimals) +
-                       (hasDrySpeed() ? "*" + std::string(kDrySpeedVariable) : "");
+                       (site_.hasDrySpeed() ? "*" + std::string(kDrySpeedVariable) : "");
     const double blend_mm = move.rests || move.room_mm < kLeastBlendRoom
                                 ? 0.0
                                 : std::min(site_.settings.corner_mm, kBlendShare * move.room_mm);

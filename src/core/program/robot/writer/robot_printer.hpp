@@ -37,6 +37,9 @@ struct RobotSite {
   std::optional<ArmCell> cell;  ///< cell over the controller's base; nothing if no arm is known
   ControllerMap map;
   std::vector<JointKind> external;  ///< kinds of the external axes, in their order
+
+  /// Whether programs run dry at a speed of their own.
+  bool hasDrySpeed() const { return settings.dry_speed_percent < 100.0; }
 };
 
 /// Prints statements in a language, as one file or a pair of files.

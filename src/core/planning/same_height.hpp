@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace lamina {
+
+/// Heights that differ by less are the same [mm]: borders of layers are rounded sums.
+constexpr double kSameHeight = 1e-6;
+
+}  // namespace lamina

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace lamina {
+
+/// Heights that programs state and that differ by less are the same [mm]: a tenth of the last decimal of Z.
+constexpr double kSameStatedHeight = 1e-4;
+
+}  // namespace lamina
