@@ -344,13 +344,20 @@ TEST(ReadProfile, ChoosesTheLikelierLayer) {
   EXPECT_EQ(layerAt(0.8), 1U) << "off both: for the newest to contest";
 }
 
-TEST(PointSigma, GrowsWithTheAngle) {
+/// At 60 degrees, of which half the depth and 0.87 of what lies along the climbing line act along the growth.
+TEST(PointSigma, IsThePartAlongTheGrowth) {
+  const Eigen::Vector3d square(0, 0, -1);
+  const Eigen::Vector3d climbing(std::sqrt(0.75), 0, -0.5);
+  const Eigen::Vector3d level_line(0, std::sqrt(0.75), -0.5);
   SightSettings settings;
-  settings.spacing_mm = std::sqrt(12.0) * 0.03;
-  EXPECT_NEAR(pointSigma(1.0, settings), 0.02, 1e-12);
-  EXPECT_NEAR(pointSigma(0.5, settings), std::hypot(0.04, 0.03 * std::sqrt(3.0)), 1e-12);
+  EXPECT_NEAR(pointSigma(square, settings), 0.02, 1e-12);
+  EXPECT_NEAR(pointSigma(climbing, settings), 0.01, 1e-12);
+  settings.lateral_sigma_mm = 0.04;
+  EXPECT_NEAR(pointSigma(square, settings), 0.02, 1e-12);
+  EXPECT_NEAR(pointSigma(climbing, settings), std::sqrt(0.0001 + 0.0012), 1e-12);
+  EXPECT_NEAR(pointSigma(level_line, settings), 0.01, 1e-12);
   settings.pose_sigma_mm = 0.1;
-  EXPECT_NEAR(pointSigma(1.0, settings), std::hypot(0.02, 0.1), 1e-12);
+  EXPECT_NEAR(pointSigma(square, settings), std::hypot(0.02, 0.1), 1e-12);
 }
 
 /// Points of any kind, many of them on the layer.

@@ -131,13 +131,13 @@ double grownWave(const WaveLoop& wave, double waves, double length_mm) {
 }
 
 TEST(Stability, OfWavesIsThatOfLawAndPlant) {
-  constexpr double kLength = 100.0;
+  constexpr double kWaveLength = 100.0;
   for (const double place : {0.0, 2.0, 5.0})
     for (const double levelling : {0.0, 1.0})
       for (const double standoff : {0.0, 0.3})
         for (const double waves : {1.0, 4.0, 10.0}) {
           const WaveLoop loop{0.5, 3.0, place, levelling, standoff, false};
-          EXPECT_NEAR(grownWave(loop, waves, kLength), growthOfWave(loop, kLength / waves), 0.01)
+          EXPECT_NEAR(grownWave(loop, waves, kWaveLength), growthOfWave(loop, kWaveLength / waves), 0.01)
               << place << " " << levelling << " " << standoff << " " << waves;
         }
 }

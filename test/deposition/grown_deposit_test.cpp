@@ -205,8 +205,25 @@ TEST(GrownDeposit, OverASlopeLayersAreAsHighAsTheNozzleRises) {
     stacked.layLayers(1);
     upright.layLayers(1);
     EXPECT_NEAR(stacked.topOfLast(), kLayer * k, 1e-9) << "on a bed that is 0 in its mean";
-    EXPECT_NEAR(upright.topOfLast(), kLayer * (k - 1), 1e-9) << "on a bed that is -1.5 mm in its mean";
+    EXPECT_NEAR(upright.topOfLast(), kLayer * k, 1e-9) << "on a bed that is -1.5 mm in its mean";
   }
+}
+
+/// Of a bead as sliced, whose contour is cut halfway up, the nozzle is 2.25 mm from the bed; of one whose
+/// edge is at its lower side 3 mm. The bed is 1.875 mm below one farther down the slope: at the edge of a
+/// square section as high as a layer, 2.68 mm wide.
+TEST(GrownDeposit, OverASlopeAFirstBeadHangsOnItsFoot) {
+  for (const double nozzle_mm : {1.5, 2.25, 3.0}) {
+    WallOnSlope wall(kX + nozzle_mm - kLayer, 0.0);
+    wall.layLayers(1);
+    EXPECT_NEAR(wall.topOfLast(), kLayer, 1e-9) << nozzle_mm << " mm from the bed";
+  }
+  WallOnSlope fallen(kX + 3.0, 0.0);
+  fallen.layLayers(1);
+  EXPECT_NEAR(fallen.topOfLast(), kLayer - 1.875, 1e-9) << "on the highest cell under it";
+  WallOnSlope buried(kX - 1.0, 0.0);
+  buried.layLayers(1);
+  EXPECT_NEAR(buried.topOfLast(), kLayer + 1.0, 1e-9) << "on the mean of a bed that is above its underside";
 }
 
 /// As wide as stated, beads are as high as their section asks for, from the first layer on.

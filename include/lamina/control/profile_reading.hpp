@@ -19,8 +19,10 @@ struct SightSettings {
   double window_layers = 1.5;
   /// Width of the crown (the level middle of a bead) over the width of the bead.
   double crown_share = 1.0 / 3.0;
-  double sigma_mm = 0.02;      ///< standard deviation of a point along the beam
-  double spacing_mm = 0.1;     ///< distance of neighbouring points of a profile
+  double sigma_mm = 0.02;  ///< standard deviation of a point along the beam
+  /// Standard deviation of a point along the line of light, of sensors whose points are not at fixed places
+  /// of it.
+  double lateral_sigma_mm = 0.0;
   double pose_sigma_mm = 0.0;  ///< standard deviation of the sensor's position along the growth direction
   /// Greatest angle between beam and growth direction; 90: all but undersides are read.
   double greatest_angle_deg = 70;
@@ -103,9 +105,10 @@ struct LayerPrediction {
 ProfileReadings readProfile(const SensorProfile& profile, const CellAtlas& atlas,
                             const std::vector<LayerPrediction>& predictions, const SightSettings& settings);
 
-/// Standard deviation of a point along the growth direction [mm]. It combines the standard deviations of the
-/// depth, of the position along the surface (by the spacing of points) and of the sensor's position.
-/// @param cosine  cosine of the angle between beam and growth direction; positive
-double pointSigma(double cosine, const SightSettings& settings);
+/// Standard deviation of a point along the growth direction [mm]. It combines the standard deviations of its
+/// depth and of its place along the line of light, each by the part that acts along the growth direction, and
+/// that of the sensor's position.
+/// @param growth  growth direction in the frame of the sensor; of unit length
+double pointSigma(const Eigen::Vector3d& growth, const SightSettings& settings);
 
 }  // namespace lamina

@@ -38,7 +38,10 @@ struct GrownPiece {
 /// ground at its start, and the cross-section of planned height and width counts as commanded without
 /// correction. Over ground that slopes, as the bed does under a tool axis that leans, the height is the first
 /// bead's cross-section over the width that is stated; without one it is the rise to the second layer, up to
-/// which beads are taken to be twice as wide as high.
+/// which beads are taken to be twice as wide as high. There a first bead begins at its planned underside if
+/// the bed comes within half a layer of that anywhere under it, since it hangs on its foot; else it falls
+/// onto the highest of the bed under it. Where the mean of the bed under it is higher, it stands on that.
+/// Pressed beads stand on the bed under their middle.
 ///
 /// Of a pressed process (`PlantSettings::pressed`) the nozzle makes the top: the section of a bead is a
 /// stadium between the ground under its middle and the nozzle, as wide as its volume, and settles after that.
@@ -89,6 +92,8 @@ class GrownDeposit {
   std::vector<double> arrivedSections(const Stations& stations);
   std::vector<CoveredCell> coveredCells(const Stations& stations, double width_mm) const;
   std::vector<double> groundUnder(const std::vector<CoveredCell>& covered, std::size_t stations) const;
+  void hangOnFeet(const std::vector<CoveredCell>& covered, const Stations& stations,
+                  std::vector<double>& ground) const;
   bool isOfLayer(std::size_t cell) const { return deposited_in_[cell] == layer_ + 1; }
   PlantBead beadOf(const Stations& stations) const;
   void grow(const Stations& stations, const std::vector<double>& sections, double width_mm);

@@ -24,6 +24,7 @@ struct ProfileSensorSettings {
   int seed = 1;                ///< of the random numbers of noise and defects
   // Defects of the sensor; the defaults are those of a sensor without.
   double noise_correlation = 0.0;  ///< of the noise, from one point to the next
+  double lateral_noise_mm = 0.0;   ///< standard deviation of points along the line of light
   double time_offset_s = 0.0;      ///< stamp less true time
   double stamp_jitter_s = 0.0;     ///< standard deviation of time stamps
   double spray_rate = 0.0;         ///< share of points that lie, as by spray, between sensor and surface

@@ -124,7 +124,9 @@ class ProfileReader {
   }
 
   double sigmaOf(const Eigen::Vector3d& growth) const {
-    const double sigma = pointSigma(std::max(least_cosine_, growth.dot(to_sensor_)), settings_);
+    Eigen::Vector3d seen = pose_.linear().transpose() * growth;
+    seen.z() = std::min(-least_cosine_, seen.z());
+    const double sigma = pointSigma(seen, settings_);
     return stamp_sigma_.isZero(0.0) ? sigma : std::hypot(sigma, growth.dot(stamp_sigma_));
   }
 
@@ -226,10 +228,9 @@ PointCounts& PointCounts::operator+=(const PointCounts& other) {
   return *this;
 }
 
-double pointSigma(double cosine, const SightSettings& settings) {
-  const double along_surface = settings.spacing_mm / std::sqrt(12.0);
-  const double tangent = std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) / cosine;
-  return std::hypot(settings.sigma_mm / cosine, along_surface * tangent, settings.pose_sigma_mm);
+double pointSigma(const Eigen::Vector3d& growth, const SightSettings& settings) {
+  return std::hypot(settings.sigma_mm * growth.z(), settings.lateral_sigma_mm * growth.x(),
+                    settings.pose_sigma_mm);
 }
 
 ProfileReadings readProfile(const SensorProfile& profile, const CellAtlas& atlas,
@@ -251,8 +252,8 @@ void describe(SettingsSchema& schema, SightSettings& settings) {
                 "Part of a bead's width, around its middle, that is measured.");
   schema.number("sight.sigma_mm", settings.sigma_mm, Bounds::above(0.0, 10.0),
                 "Standard deviation of a point along the beam.");
-  schema.number("sight.spacing_mm", settings.spacing_mm, {0.0, 100.0},
-                "Distance of neighbouring points of a profile.");
+  schema.number("sight.lateral_sigma_mm", settings.lateral_sigma_mm, {0.0, 10.0},
+                "Standard deviation of a point along the line of light.");
   schema.number("sight.pose_sigma_mm", settings.pose_sigma_mm, {0.0, 10.0},
                 "Standard deviation of the sensor's place.");
   schema.number("sight.greatest_angle_deg", settings.greatest_angle_deg, Bounds::above(0.0, 90.0),

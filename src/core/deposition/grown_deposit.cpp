@@ -19,6 +19,7 @@ namespace {
 constexpr double kStation = 0.5;        // mm
 constexpr double kJoined = 1e-3;        // mm: above the rounding of programs
 constexpr double kRemembered = 10.0;    // time constants of the feeder
+constexpr double kBridged = 0.5;        // layers: of the depth of a gap under a bead that it does not fill
 constexpr double kMiddle = 0.25;        // of a bead's width, which the nozzle is over
 constexpr double kLeastPlanned = 1e-3;  // mm: a nozzle that rubs on the bed plans no layer
 constexpr double kLeastRise = 0.05;     // mm: to a second layer, whatever the first one seems to be
@@ -239,7 +240,7 @@ std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& co
   std::vector<double> cells(stations, 0.0);
   for (const CoveredCell& each : covered) {
     const double height = surface_.at(each.cell);
-    const bool is_gap = !is_bare[each.station] && height < highest[each.station] - 0.5 * planned_mm_;
+    const bool is_gap = !is_bare[each.station] && height < highest[each.station] - kBridged * planned_mm_;
     if (!counts(each) || is_gap) continue;
     sum[each.station] += height;
     cells[each.station] += 1.0;
@@ -247,6 +248,25 @@ std::vector<double> GrownDeposit::groundUnder(const std::vector<CoveredCell>& co
   for (std::size_t i = 0; i < stations; ++i)
     if (cells[i] > 0.0) sum[i] /= cells[i];
   return sum;
+}
+
+/// Over a bare bed that slopes a bead has its foot where the bed comes near its planned underside, and what
+/// is beyond hangs on, as over the bead below. One that the bed does not reach falls on to it.
+void GrownDeposit::hangOnFeet(const std::vector<CoveredCell>& covered, const Stations& stations,
+                              std::vector<double>& ground) const {
+  if (is_ground_level_) return;
+  const std::size_t count = stations.place.size();
+  std::vector<double> highest(count, -std::numeric_limits<double>::infinity());
+  std::vector<bool> is_bare(count, true);
+  for (const CoveredCell& each : covered) {
+    highest[each.station] = std::max(highest[each.station], surface_.at(each.cell));
+    if (isDeposited(each.cell)) is_bare[each.station] = false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double underside = stations.place[i].z() - planned_mm_;
+    const bool is_reached = underside - highest[i] <= kBridged * planned_mm_;
+    if (is_bare[i]) ground[i] = std::max(ground[i], is_reached ? underside : highest[i]);
+  }
 }
 
 /// The bead as planned, without its correction and what it stands on.
@@ -275,7 +295,8 @@ void GrownDeposit::raise(std::size_t cell, double height_mm) {
 void GrownDeposit::grow(const Stations& stations, const std::vector<double>& sections, double width_mm) {
   const std::size_t count = stations.place.size();
   const std::vector<CoveredCell> covered = coveredCells(stations, width_mm);
-  const std::vector<double> ground = groundUnder(covered, count);
+  std::vector<double> ground = groundUnder(covered, count);
+  hangOnFeet(covered, stations, ground);
   PlantBead bead = beadOf(stations);
   bead.correction.reserve(count);
   bead.nozzle_far_mm.reserve(count);

@@ -116,6 +116,8 @@ std::vector<Point3> ProfileSensor::measure(const HeightSource& surface,
     } else {
       points.push_back(depth * per_mm + Point3(0.0, 0.0, noise_mm));
       if (shift != 0.0) points.back().z() += shift;
+      if (settings_.lateral_noise_mm > 0.0)
+        points.back().x() += defects_.normal(0.0, settings_.lateral_noise_mm);
     }
     if (isChosen(defects_, settings_.mirror_rate))
       points.push_back(defects_.uniform(depth, farthest) * per_mm);
@@ -134,6 +136,8 @@ void describeDefects(SettingsSchema& schema, ProfileSensorSettings& settings) {
   const Bounds share{0.0, 1.0};
   schema.number("sensor.noise_correlation", settings.noise_correlation, {0.0, 0.999},
                 "Correlation of the noise from one point of a profile to the next.");
+  schema.number("sensor.lateral_noise_mm", settings.lateral_noise_mm, {0.0, 10.0},
+                "Standard deviation of points along the line of light.");
   schema.number("sensor.time_offset_s", settings.time_offset_s, {-10.0, 10.0}, "Stamp less true time.");
   schema.number("sensor.stamp_jitter_s", settings.stamp_jitter_s, {0.0, 1.0},
                 "Standard deviation of stamps.");

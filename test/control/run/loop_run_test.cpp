@@ -228,53 +228,6 @@ TEST(LoopRun, SaysThatTheLiveSensorBesideAStuckOneIsSilent) {
   EXPECT_EQ(news.layers[7].state, LoopState::Coasting);
 }
 
-TEST(LoopRun, SaysThatNoPoseIsKnown) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 1;
-  const SensedWall printed = sensedWall(wall);
-  LoopRun run(printed.part, wall.settings);
-  std::int64_t last_ns = 0;
-  for (const StampedTip& pose : printed.tips) {
-    run.observe(pose);
-    last_ns = pose.stamp_ns;
-    if (run.place().is_scanning) break;
-  }
-  ASSERT_TRUE(run.place().is_scanning);
-  run.hear(last_ns + 1'900'000'000);
-  EXPECT_EQ(run.status().state, LoopState::Active);
-  run.hear(last_ns + 2'200'000'000);
-  EXPECT_EQ(run.status().state, LoopState::Coasting);
-  EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
-}
-
-TEST(LoopRun, SaysThatNoPoseEverCame) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 1;
-  LoopRun run(sensedWall(wall).part, wall.settings);
-  for (int i = 0; i <= 19; ++i) run.hear(wall.start_ns + i * 100'000'000LL);
-  EXPECT_TRUE(run.takeNews().alarms.empty());
-  run.hear(wall.start_ns + 2'100'000'000);
-  EXPECT_EQ(run.status().state, LoopState::Coasting);
-  EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
-}
-
-/// The clock of the machine is set back, not that of ROS: tf takes no transform that is so old.
-TEST(LoopRun, SaysThatNoPoseComesByAClockThatWasSetBack) {
-  SensedWallCase wall = wallCase();
-  wall.layers = 1;
-  const SensedWall printed = sensedWall(wall);
-  LoopRun run(printed.part, wall.settings);
-  for (std::size_t i = 0; i < 50; ++i) run.observe(printed.tips[i]);
-  const std::int64_t last_ns = printed.tips[49].stamp_ns;
-  const std::int64_t back_ns = last_ns - 40'000'000'000;
-  run.hear(last_ns - 29'000'000'000);
-  run.hear(back_ns);
-  run.hear(back_ns + 1'900'000'000);
-  EXPECT_TRUE(run.takeNews().alarms.empty());
-  run.hear(back_ns + 2'100'000'000);
-  EXPECT_TRUE(raises(run.takeNews().alarms, LoopAlarm::NoTransform));
-}
-
 TEST(LoopRun, IsBlockedWithoutCalibration) {
   SensedWallCase wall = wallCase();
   wall.settings.calibration.is_time_offset_trusted = false;
@@ -408,6 +361,23 @@ TEST(LoopRun, GoesOnFromItsMemoryToTheSameBits) {
     EXPECT_EQ(news.layers.front().figures.layer, layer + 1);
     EXPECT_EQ(news.layers.back().figures.rmse_mm, printed.layers.back().figures.rmse_mm);
   }
+}
+
+TEST(LoopRun, RemembersItsLastAlarm) {
+  SensedWallCase wall = keptWall();
+  wall.settings.loop.silence_s = 0.5;
+  wall.sensor = [](std::size_t layer) { return layer == 3 ? SensorDoes::KeepSilent : SensorDoes::Measure; };
+  const SensedWall printed = sensedWall(wall);
+  LoopRun run(printed.part, wall.settings);
+  run.resume(memoryFromYaml(toYaml(memoryAfter(printed, wall.settings, 3)), "kept"));
+  EXPECT_EQ(run.status().state, LoopState::Coasting);
+  ASSERT_TRUE(run.lastAlarm());
+  EXPECT_EQ(run.lastAlarm()->alarm, LoopAlarm::Silent);
+  EXPECT_EQ(run.lastAlarm()->reaction, LoopReaction::Coast);
+  EXPECT_EQ(run.lastAlarm()->reason.find("no cloud for 0."), 0U) << run.lastAlarm()->reason;
+  LoopRun first(printed.part, wall.settings);
+  first.resume(memoryFromYaml(toYaml(memoryAfter(printed, wall.settings, 0)), "kept"));
+  EXPECT_FALSE(first.lastAlarm());
 }
 
 /// Nobody gave the machine its maps of the layers that were begun meanwhile.

@@ -138,7 +138,7 @@ std::string sighted(const SettingTexts& set) {
     for (const LayerReading& one : read.readings) numbers.push_back(one.reading.sigma_mm);
   };
   note();
-  profile.toolpath_from_sensor.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()));
+  profile.toolpath_from_sensor.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 1, 0).normalized()));
   profile.toolpath_from_sensor.translation() =
       measured.place(0, 0.5, 0.0, 0.0) - profile.toolpath_from_sensor.linear() * Point3(0, 0, 60);
   note();
@@ -152,7 +152,7 @@ SettingProbe sightProbe() {
           {{"sight.window_layers=1"},
            {"sight.crown_share=0.5"},
            {"sight.sigma_mm=0.05"},
-           {"sight.spacing_mm=0.3"},
+           {"sight.lateral_sigma_mm=0.3"},
            {"sight.pose_sigma_mm=0.05"},
            {"sight.greatest_angle_deg=30"},
            {"sight.least_depth_mm=61", "sight.greatest_depth_mm=65"},

@@ -79,6 +79,7 @@ std::vector<SettingProbe> monitorProbes() {
             {"sensor.noise_mm=0.05"},
             {"sensor.seed=2"},
             {"sensor.noise_correlation=0.5"},
+            {"sensor.lateral_noise_mm=0.05"},
             {"sensor.time_offset_s=0.1"},
             {"sensor.stamp_jitter_s=0.01"},
             {"sensor.spray_rate=0.1"},

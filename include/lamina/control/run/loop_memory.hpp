@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "lamina/control/height_loop.hpp"
@@ -21,6 +22,7 @@ struct LoopMemory {
   double last_amount = 0.0;    ///< amount deposited at the end of the layer
   double mean_shift_mm = 0.0;  ///< mean shift of the nozzle over the layer
   StoredHeights heights;       ///< of the layer's cells
+  std::optional<RaisedAlarm> last_alarm = {};
 };
 
 /// The state as YAML, which `memoryFromYaml` reads back to the same bits.

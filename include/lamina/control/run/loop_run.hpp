@@ -19,7 +19,7 @@
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
 #include "lamina/control/run/offset_watches.hpp"
-#include "lamina/control/run/pose_watch.hpp"
+#include "lamina/control/run/pose_watches.hpp"
 #include "lamina/control/run/sensor_motion.hpp"
 #include "lamina/control/run/sensor_watches.hpp"
 #include "lamina/control/run/solid_cells.hpp"
@@ -139,8 +139,9 @@ class LoopRun {
   void observe(const StampedTip& pose);
   /// Adds a cloud.
   void see(SensedCloud cloud);
-  /// States that a cloud with that time stamp has arrived for which no pose of the nozzle is known yet.
-  void hear(std::int64_t stamp_ns);
+  /// States that a cloud of a sensor with that time stamp (less the sensor's time offset) has arrived, for
+  /// which no pose of the nozzle may be known yet.
+  void hear(std::int64_t stamp_ns, const std::string& sensor = {});
   /// States that the clock of the time stamps has gone back. All poses and clouds that wait are processed.
   /// Those that arrive from now on are not compared with the earlier time stamps, so that none of them counts
   /// as late for that reason. All that was measured and learnt remains.
@@ -194,7 +195,7 @@ class LoopRun {
   void use(const std::string& sensor, const LayerReading& reading);
   void watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
-  void watch(double blind_s);
+  void watch();
   LoopMemory memory(std::size_t layer) const;
   void beginLayer(std::size_t layer);
   void endLayer();
@@ -250,8 +251,7 @@ class LoopRun {
   SolidCells solid_;
   SectionContours sections_;  ///< of the layer under way, of a pressed process
   std::optional<std::int64_t> cloud_ns_;
-  std::optional<std::int64_t> heard_ns_;  ///< stamp of the last cloud that came, placed or not
-  PoseWatch pose_watch_;
+  PoseWatches pose_watches_;  ///< by the clouds that came for the layer, placed or not
   SensorWatches sensors_;
   bool is_distrusted_ = false;  ///< whether a sensor was found to be stuck in the layer under way
   OffsetWatches offset_;

@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-/// Tells from the time stamps of clouds for how long no pose of the nozzle has come. If there is no pose
-/// yet, or the last one is far later than the clouds since their clock was set back, that is the time for
-/// which such clouds have come.
+/// Tells from the time stamps of a sensor's clouds for how long no pose of the nozzle has come. If there is
+/// no pose yet, or the last one is far later than the clouds since their clock was set back, that is the time
+/// for which such clouds have come.
 class PoseWatch {
  public:
   /// Time by which a cloud is older than the last pose only after a clock was set [s].
@@ -17,14 +17,21 @@ class PoseWatch {
 
   /// Adds the time stamp of a cloud.
   /// @param tip_ns  latest time stamp of a pose; nothing before the first one
-  /// @return time for which no pose has come [s]; at most 0 if there is one as new as the cloud
-  double hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns);
+  void hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns);
 
+  /// Time for which no pose has come, by the last cloud [s]; at most 0 if there is one as new as the cloud, 0
+  /// before the first cloud.
+  /// @param tip_ns  as in `hear`; poses may have come since
+  double blind(const std::optional<std::int64_t>& tip_ns) const;
   /// Whether the last pose says nothing of the clouds' time: there is none, or it is of another clock.
-  bool isWithoutPose() const { return first_ns_.has_value(); }
+  bool isWithoutPose(const std::optional<std::int64_t>& tip_ns) const;
+
+  /// Time stamp of the last cloud; nothing before the first one.
+  const std::optional<std::int64_t>& last() const { return last_ns_; }
 
  private:
   std::optional<std::int64_t> first_ns_;  ///< of the clouds of which the last pose says nothing
+  bool was_without_any_ = false;          ///< whether there was no pose at all when these came
   std::optional<std::int64_t> last_ns_;
 };
 

@@ -25,6 +25,8 @@ struct StatedMemory {
   int judged_layer = 0;
   int layers_begun = 0;
   int clouds = 0;
+  RaisedAlarm alarm{};                                                           ///< the last one
+  int alarm_number = 0;                                                          ///< 0: there was none
   std::vector<std::vector<double>> cells = std::vector<std::vector<double>>(8);  ///< of estimates, by kind
 };
 
@@ -57,6 +59,19 @@ void describeStatus(SettingsSchema& schema, StatedMemory& stated) {
   schema.number("status.rmse_mm", status.rmse_mm, kAnyNumber, "Of that layer.");
 }
 
+void describeAlarm(SettingsSchema& schema, StatedMemory& stated) {
+  schema.integer("alarm.number", stated.alarm_number, {0.0, 65535.0}, "Of the last alarm; 0 for none.");
+  schema.choice("alarm.reaction", stated.alarm.reaction,
+                {{"warn", LoopReaction::Warn},
+                 {"leave_out", LoopReaction::LeaveOut},
+                 {"coast", LoopReaction::Coast},
+                 {"open", LoopReaction::Open},
+                 {"replan", LoopReaction::Replan},
+                 {"hold", LoopReaction::Hold}},
+                "To it.");
+  schema.text("alarm.reason", stated.alarm.reason, "What it said.");
+}
+
 /// The lists of the cells' estimates, in the order of `StatedMemory::cells`.
 constexpr const char* kEstimateKeys[] = {"cells.error_mm", "cells.variance_mm2", "cells.commanded_mm",
                                          "cells.base_mm",  "cells.contested_mm", "cells.gain",
@@ -81,6 +96,7 @@ void describe(SettingsSchema& schema, StatedMemory& stated) {
   schema.text("print.material", memory.identity.material, "Material that is deposited.");
   schema.integer("print.layer", stated.layer, {0.0, kMost}, "Layer that was done last.");
   describeStatus(schema, stated);
+  describeAlarm(schema, stated);
   schema.number("loop.gain_at_check", memory.gain_at_check, kAnyNumber, "At the last check of stability.");
   schema.number("loop.last_amount", memory.last_amount, kAnyNumber, "Correction where the layer ended.");
   schema.number("loop.mean_shift_mm", memory.mean_shift_mm, kAnyNumber, "Of the nozzle's height.");
@@ -97,6 +113,10 @@ StatedMemory statedFrom(const LoopMemory& memory) {
   stated.judged_layer = static_cast<int>(memory.status.layer);
   stated.layers_begun = static_cast<int>(memory.heights.layers_begun);
   stated.clouds = static_cast<int>(memory.heights.clouds);
+  if (memory.last_alarm) {
+    stated.alarm = *memory.last_alarm;
+    stated.alarm_number = static_cast<int>(memory.last_alarm->alarm);
+  }
   for (const StoredEstimate& cell : memory.heights.estimates) {
     const double values[] = {cell.error_mm,     cell.variance_mm2, cell.commanded_mm,   cell.base_mm,
                              cell.contested_mm, cell.gain,         1.0 * cell.contests, 1.0 * cell.flags};
@@ -137,6 +157,10 @@ LoopMemory memoryOf(const StatedMemory& stated) {
   memory.status.layer = static_cast<std::size_t>(stated.judged_layer);
   memory.heights.layers_begun = static_cast<std::size_t>(stated.layers_begun);
   memory.heights.clouds = static_cast<std::size_t>(stated.clouds);
+  if (stated.alarm_number > 0) {
+    memory.last_alarm = stated.alarm;
+    memory.last_alarm->alarm = static_cast<LoopAlarm>(stated.alarm_number);
+  }
   memory.heights.estimates.clear();
   for (std::size_t i = 0; i < stated.cells[0].size(); ++i)
     memory.heights.estimates.push_back(estimateOf(stated, i));

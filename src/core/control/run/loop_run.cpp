@@ -28,7 +28,8 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       taught_(part_.toolpath, {part_.toolpath_id, part_.machine, settings.material}, settings),
       stability_(checkStart(part_.toolpath, part_.machine, settings)),
       atlas_(settings.sight.window_layers),
-      laid_(std::make_unique<LaidLayer>()) {
+      laid_(std::make_unique<LaidLayer>()),
+      pose_watches_(settings.loop.silence_s) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
   loop_.emplace(settings_.loop, normal_);
@@ -55,6 +56,7 @@ void LoopRun::resume(const LoopMemory& memory) {
                 ? memory.status
                 : afterRequest(settings_.request, stability_);
   gain_at_check_ = memory.gain_at_check;
+  last_alarm_ = memory.last_alarm;
   laid_->carryOver(memory.last_amount, memory.mean_shift_mm);
   news_ = {};
   progress_.resume(memory.layer + 1);
@@ -64,8 +66,8 @@ void LoopRun::resume(const LoopMemory& memory) {
 }
 
 LoopMemory LoopRun::memory(std::size_t layer) const {
-  return {identity(),         layer,          status_, gain_at_check_, laid_->lastAmount(),
-          laid_->meanShift(), loop_->stored()};
+  return {identity(),         layer,           status_,    gain_at_check_, laid_->lastAmount(),
+          laid_->meanShift(), loop_->stored(), last_alarm_};
 }
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
@@ -131,13 +133,12 @@ void LoopRun::finish() {
   if (layer_ && loop_->cells().size() > 0 && cellsDeposited(0.0) == loop_->cells().size()) endLayer();
 }
 
-void LoopRun::hear(std::int64_t stamp_ns) {
-  heard_ns_ = stamp_ns;
-  const double blind_s = pose_watch_.hear(stamp_ns, events_.latestTip());
-  if (blind_s <= 0.0) return;
+void LoopRun::hear(std::int64_t stamp_ns, const std::string& sensor) {
+  pose_watches_.hear(sensor, stamp_ns, events_.latestTip());
+  if (pose_watches_.blind(events_.latestTip()) <= settings_.loop.silence_s) return;
   // The last poses say whether the nozzle was scanning: nothing that comes brings them on any more.
-  if (blind_s > settings_.loop.silence_s) passUntil(events_.latestTip().value_or(stamp_ns));
-  watch(blind_s);
+  passUntil(events_.latestTip().value_or(stamp_ns));
+  watch();
 }
 
 void LoopRun::restartClock() {
@@ -145,7 +146,7 @@ void LoopRun::restartClock() {
   events_ = StampedEvents();
   tip_ns_.reset();
   cloud_ns_.reset();
-  heard_ns_.reset();
+  pose_watches_.begin();
   silent_s_ = 0.0;
   motions_.clear();
   solid_.begin();  // what is left behind becomes solid by the new stamps
@@ -236,7 +237,7 @@ void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
     silent_s_ += secondsFrom(std::max(*tip_ns_, cloud_ns_.value_or(*tip_ns_)), stamp_ns);
   tip_ns_ = stamp_ns;
   tip_ = tip;
-  watch(0.0);
+  watch();
   while (layer_ && place.layer > *layer_) {
     const std::size_t done = *layer_;
     endLayer();
@@ -256,7 +257,7 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
     cloud_ns_ = cloud.stamp_ns;
     silent_s_ = 0.0;
   }
-  watch(0.0);
+  watch();
   if (is_stuck) {
     ++counts_.clouds_stuck;
     return;
@@ -288,7 +289,7 @@ void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isome
 void LoopRun::watchOffset() {
   const auto offset = offset_.offset(loop_->cells(), settings_.calibration.time_offset_sigma_s);
   offset_left_ = offset.value_or(offset_left_);
-  watch(0.0);
+  watch();
 }
 
 std::size_t LoopRun::cellsDeposited(double settle_mm) const {
@@ -354,16 +355,17 @@ void LoopRun::use(const std::string& sensor, const LayerReading& reading) {
   }
 }
 
-void LoopRun::watch(double blind_s) {
+void LoopRun::watch() {
   SensorWatch seen;
-  seen.is_scanning = progress_.place().is_scanning || pose_watch_.isWithoutPose();
+  // After the last layer nothing is to be seen any more.
+  const bool is_blind = layer_ && pose_watches_.isWithoutPose(events_.latestTip());
+  seen.is_scanning = progress_.place().is_scanning || is_blind;
   sensors_.judge(progress_.place().layer, seen);
   // Of clouds that come, and that tf does not place, the sensor is not the cause.
-  const bool hears = !isLeftOut(seen) && heard_ns_ && tip_ns_ &&
-                     secondsFrom(*heard_ns_, *tip_ns_) < settings_.loop.silence_s;
+  const bool hears = !isLeftOut(seen) && tip_ns_ && pose_watches_.isHeard(*tip_ns_);
   seen.silent_s = hears ? 0.0 : silent_s_;
   seen.unplaced_s = hears ? silent_s_ : 0.0;
-  seen.blind_s = blind_s;
+  seen.blind_s = pose_watches_.blind(events_.latestTip());
   judge(offset_left_, seen);
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   step.alarms = watched_.risen(std::move(step.alarms));
@@ -398,6 +400,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   taught_.begin(*loop_);
   blockIfLump();
   offset_.begin(loop_->cells().size());
+  pose_watches_.begin();
   is_distrusted_ = false;
   lump_.reset();
   fallen_.reset();

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-double PoseWatch::hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns) {
+void PoseWatch::hear(std::int64_t stamp_ns, const std::optional<std::int64_t>& tip_ns) {
   const bool says_nothing = !tip_ns || secondsFrom(stamp_ns, *tip_ns) > kClockBack;
   // A stamp far off the one before is garbled, or the first one by another clock.
   const bool is_first = !last_ns_ || std::abs(secondsFrom(*last_ns_, stamp_ns)) > kClockBack;
@@ -17,7 +17,17 @@ double PoseWatch::hear(std::int64_t stamp_ns, const std::optional<std::int64_t>&
     first_ns_.reset();
   else if (!first_ns_ || is_first)
     first_ns_ = stamp_ns;
-  return secondsFrom(first_ns_.value_or(tip_ns.value_or(stamp_ns)), stamp_ns);
+  was_without_any_ = !tip_ns;
+}
+
+double PoseWatch::blind(const std::optional<std::int64_t>& tip_ns) const {
+  if (!last_ns_) return 0.0;
+  const std::int64_t since = isWithoutPose(tip_ns) ? *first_ns_ : tip_ns.value_or(*last_ns_);
+  return secondsFrom(since, *last_ns_);
+}
+
+bool PoseWatch::isWithoutPose(const std::optional<std::int64_t>& tip_ns) const {
+  return first_ns_ && !(was_without_any_ && tip_ns);
 }
 
 }  // namespace lamina
