@@ -64,7 +64,7 @@ class PrintReader {
   /// What is used later than it was recorded: transforms, what the machine applied, or that a cloud has come.
   struct Late {
     tf2_msgs::TFMessageConstPtr transforms;
-    ros::Time heard;
+    std_msgs::Header heard;
     lamina_msgs::AppliedCorrectionConstPtr applied;
   };
 
@@ -85,7 +85,7 @@ class PrintReader {
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud, const ros::Time& recorded) {
     if (!cloud) return;
     feed_.add(cloud);
-    behind_.emplace_back(recorded, Late{nullptr, cloud->header.stamp, nullptr});
+    behind_.emplace_back(recorded, Late{nullptr, cloud->header, nullptr});
   }
 
   void addFixed(const tf2_msgs::TFMessageConstPtr& message) {

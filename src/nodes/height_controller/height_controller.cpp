@@ -163,7 +163,7 @@ void HeightController::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   is_quiet_ = false;
   feed_.add(cloud);
   calibrator_.add(cloud);
-  hold_.add(last_arrival_s_, [this, stamp = cloud->header.stamp] { feed_.hear(stamp); });
+  hold_.add(last_arrival_s_, [this, header = cloud->header] { feed_.hear(header); });
 }
 
 void HeightController::onTransforms(const TfEvent& event) {

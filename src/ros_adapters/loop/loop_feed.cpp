@@ -55,7 +55,9 @@ FeedCounts since(const FeedCounts& then, const FeedCounts& now) {
 LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
     : settings_(settings),
       queue_bytes_(1e6 * queue_mb),
-      other_offsets_s_(otherTimeOffsets(settings.calibration.other_time_offsets_s)) {}
+      other_offsets_s_(otherTimeOffsets(settings.calibration.other_time_offsets_s)) {
+  timeOffsetSigmas(settings.calibration);  // refused here, and not by the first toolpath
+}
 
 bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   if (run_) {
@@ -66,6 +68,7 @@ bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   }
   if (run_ && run_->follow(toolpath.id)) return true;
   run_.reset();
+  heard_.clear();
   MachineToolpath placed = fromMessage(toolpath);
   run_ = std::make_unique<LoopRun>(PlacedPart{std::move(placed.id), placed.bed_from_part,
                                               std::move(placed.toolpath), std::move(placed.machine)},
@@ -143,17 +146,19 @@ void LoopFeed::followTime() {
   const std::uint64_t restarts = sequence_.restarts();
   if (std::exchange(restarts_, restarts) == restarts) return;
   counts_.pushed_out += leaveOutWaiting();
-  heard_.reset();
-  heard_before_.reset();
+  heard_.clear();
   if (run_) run_->restartClock();
 }
 
-void LoopFeed::hear(const ros::Time& stamp) {
-  const auto taken = takenAt(stamp, settings_.calibration.time_offset_s);
+void LoopFeed::hear(const std_msgs::Header& header) {
+  if (header.frame_id.empty()) return;
+  const auto offset_s = offsetOf(header.frame_id);
+  const auto taken = offset_s ? takenAt(header.stamp, *offset_s) : std::nullopt;
   if (!taken) return;
+  HeardSensor& sensor = heard_[header.frame_id];
   // A single stamp far ahead, of a clock that is set or garbled, says nothing of tf.
-  if (heard_before_) heard_ = std::min(*heard_before_, *taken);
-  heard_before_ = taken;
+  if (sensor.last) sensor.waiting = std::min(*sensor.last, *taken);
+  sensor.last = taken;
 }
 
 bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {
@@ -177,9 +182,11 @@ void LoopFeed::pass() {
     for (const StampedNozzle& nozzle : sequence_.takeNozzles())
       run_->observe({nanoseconds(nozzle.stamp), nozzle.bed_from_nozzle.translation()});
   } while (sequence_.passNext());
-  if (!heard_) return;
-  run_->hear(nanoseconds(*heard_));
-  heard_.reset();
+  for (auto& [frame, sensor] : heard_) {
+    if (!sensor.waiting) continue;
+    run_->hear(nanoseconds(*sensor.waiting), frame);
+    sensor.waiting.reset();
+  }
 }
 
 void LoopFeed::passAll() {

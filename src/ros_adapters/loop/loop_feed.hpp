@@ -48,7 +48,7 @@ FeedCounts since(const FeedCounts& then, const FeedCounts& now);
 class LoopFeed {
  public:
   /// @param queue_mb  memory for clouds that wait for tf [1e6 bytes]
-  /// @throws InvalidConfig as `otherTimeOffsets`
+  /// @throws InvalidConfig as `otherTimeOffsets` and `timeOffsetSigmas`
   LoopFeed(const LoopRunSettings& settings, double queue_mb);
 
   /// Adds a toolpath. It begins a print, or is the plan that the loop offered last and continues the current
@@ -60,9 +60,10 @@ class LoopFeed {
   /// Adds a transform that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud);
-  /// States that a cloud with this time stamp has arrived; to be called together with the transforms that
-  /// arrived with it. Of two successive clouds the earlier stamp counts.
-  void hear(const ros::Time& stamp);
+  /// States that a cloud with this header has arrived; to be called together with the transforms that arrived
+  /// with it. Of two successive clouds of a sensor the earlier stamp counts. Without effect for clouds that
+  /// are left out for their frame, stamp or unknown time offset.
+  void hear(const std_msgs::Header& header);
   /// Adds a machine's report on how it applied a map of the current print, or a plan of it.
   /// @return whether the report belongs to the current print
   bool add(const lamina_msgs::AppliedCorrection& applied);
@@ -92,6 +93,12 @@ class LoopFeed {
  private:
   using Cloud = sensor_msgs::PointCloud2ConstPtr;
 
+  /// Times at which clouds of a sensor that arrived were taken.
+  struct HeardSensor {
+    std::optional<ros::Time> waiting;  ///< to be reported once the transforms are passed on
+    std::optional<ros::Time> last;     ///< of the last cloud
+  };
+
   std::optional<double> offsetOf(const std::string& frame);
   bool isCalibrated(const sensor_msgs::PointCloud2& cloud) const;
   std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
@@ -110,9 +117,8 @@ class LoopFeed {
   std::map<std::string, double> other_offsets_s_;  ///< of further sensors, by frame
   std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
   double waiting_bytes_ = 0.0;
-  std::optional<ros::Time> heard_;         ///< to be reported once the transforms are passed on
-  std::optional<ros::Time> heard_before_;  ///< time stamp of the last cloud
-  std::uint64_t restarts_ = 0;             ///< number of restarts of the sequence that the loop knows of
+  std::map<std::string, HeardSensor> heard_;  ///< during the print, by frame
+  std::uint64_t restarts_ = 0;                ///< number of restarts of the sequence that the loop knows of
   std::unique_ptr<LoopRun> run_;
   FeedCounts counts_;
 };

@@ -34,6 +34,21 @@ TEST(RunSettings, StateTheTimeOffsetsOfFurtherSensors) {
   EXPECT_THROW(otherTimeOffsets(wrong.calibration.other_time_offsets_s), InvalidConfig);
 }
 
+/// The loop goes by the worst of them where it does not know which one sees.
+TEST(RunSettings, StateHowWellTheTimeOffsetOfEachSensorIsKnown) {
+  const LoopRunSettings settings =
+      settingsWith({{"sensor.time_offset_sigma_s", "0.03"},
+                    {"feeder.uncertainty_s", "0.12"},
+                    {"sensor.other_time_offset_sigmas_s", "{left: 0.05, right: 0}"}});
+  const TimeOffsetSigmas sigmas = timeOffsetSigmas(settings.calibration);
+  EXPECT_EQ(sigmas.of("left"), 0.05);
+  EXPECT_EQ(sigmas.of("/right"), 0.0);
+  EXPECT_EQ(sigmas.of("sensor"), 0.03);
+  EXPECT_DOUBLE_EQ(calibrationFor(twoLayers(), settings).delay_uncertainty_s, 0.13) << "5, 12, 13";
+  const LoopRunSettings wrong = settingsWith({{"sensor.other_time_offset_sigmas_s", "{left: -0.1}"}});
+  EXPECT_THROW(timeOffsetSigmas(wrong.calibration), InvalidConfig);
+}
+
 TEST(RunSettings, SayHowWellEverythingIsKnown) {
   const LoopCalibration known =
       calibrationFor(twoLayers(), settingsWith({{"sensor.time_offset_sigma_s", "0.3"},

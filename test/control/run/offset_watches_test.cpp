@@ -34,11 +34,25 @@ TEST(OffsetWatches, TellSensorsThatMovedApart) {
   watches.begin(cells.size());
   seeDent(watches, "left", cells, 0.02);
   seeDent(watches, "right", cells, -0.02);
-  const auto worst = watches.offset(cells, 0.0);
+  const auto worst = watches.offset(cells, {});
   ASSERT_TRUE(worst);
   EXPECT_NEAR(std::abs(worst->left.offset_s), 0.02, 0.005);
   EXPECT_EQ(worst->sensor, worst->left.offset_s > 0.0 ? "left" : "right");
   EXPECT_GT(worst->sigmas(), 3.0);
+}
+
+/// Both are off alike; of one that is known.
+TEST(OffsetWatches, GoByHowWellEachSensorIsKnown) {
+  const LayerCells cells = test::straightBeads({0.0}, 60.0, 0.5);
+  OffsetWatches watches;
+  watches.begin(cells.size());
+  seeDent(watches, "left", cells, 0.02);
+  seeDent(watches, "right", cells, 0.02);
+  const auto moved = watches.offset(cells, {0.002, {{"left", 0.1}}});
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->sensor, "right");
+  EXPECT_GT(moved->sigmas(), 3.0);
+  EXPECT_LT(watches.offset(cells, {0.1, {}})->sigmas(), 1.0);
 }
 
 /// The mean of both would be half of it.
@@ -48,7 +62,7 @@ TEST(OffsetWatches, NameTheSensorThatMoved) {
   watches.begin(cells.size());
   seeDent(watches, "left", cells, 0.0);
   seeDent(watches, "right", cells, 0.02);
-  const auto moved = watches.offset(cells, 0.003);
+  const auto moved = watches.offset(cells, {0.003, {}});
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->sensor, "right");
   EXPECT_NEAR(moved->left.offset_s, 0.02, 0.005);
@@ -71,7 +85,7 @@ TEST(OffsetWatches, SayNothingOfALayerThatNobodyRead) {
   watches.begin(cells.size());
   seeDent(watches, "left", cells, 0.02);
   watches.begin(cells.size());
-  EXPECT_FALSE(watches.offset(cells, 0.0));
+  EXPECT_FALSE(watches.offset(cells, {}));
   EXPECT_EQ(SensorOffset().sigmas(), 0.0);
 }
 

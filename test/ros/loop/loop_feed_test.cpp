@@ -101,6 +101,13 @@ bool isWithoutTransforms(LoopFeed& feed) {
                      [](const RaisedAlarm& alarm) { return alarm.alarm == LoopAlarm::NoTransform; });
 }
 
+std_msgs::Header heardAt(const ros::Time& stamp, const std::string& frame = names::kSensorFrame) {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = frame;
+  return header;
+}
+
 TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
   test::SensedWallCase wall;
   wall.settings = test::calibratedLoop();
@@ -114,20 +121,20 @@ TEST(LoopFeed, ASingleStampFarAheadSaysNothingOfTf) {
     const ros::Time now = test::timeOf(tip.stamp_ns);
     time.set(now);
     feed.add(test::nozzleMessage(tip).transforms[0], "test");
-    feed.hear(now);
+    feed.hear(heardAt(now));
     feed.pass();
     if (feed.run()->place().is_scanning) break;
   }
   ASSERT_TRUE(feed.run()->place().is_scanning);
   const ros::Time ahead = ros::Time::now() + ros::Duration(100.0);
-  feed.hear(ahead);
-  feed.hear(ros::Time::now());
+  feed.hear(heardAt(ahead));
+  feed.hear(heardAt(ros::Time::now()));
   feed.pass();
   EXPECT_FALSE(isWithoutTransforms(feed));
-  feed.hear(ahead);
+  feed.hear(heardAt(ahead));
   feed.pass();
   EXPECT_FALSE(isWithoutTransforms(feed));
-  feed.hear(ahead + ros::Duration(0.02));
+  feed.hear(heardAt(ahead + ros::Duration(0.02)));
   feed.pass();
   EXPECT_TRUE(isWithoutTransforms(feed));
 }
@@ -260,6 +267,66 @@ TEST(LoopFeed, PlacesOnlyTheCalibratedSensorByItsCalibration) {
 }
 
 /// A driver that names a frame of which nobody told tf.
+/// Alarms of a wall of which clouds of another sensor are heard, that none of placed, and of the calibrated
+/// one a single one at the start.
+std::vector<LoopAlarm> alarmsHearing(LoopRunSettings settings, double late_s, double silence_s) {
+  settings.loop.silence_s = silence_s;
+  test::SensedWallCase wall;
+  wall.settings = settings;
+  wall.layers = 2;
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  LoopFeed feed(settings, 1000.0);
+  feed.add(test::toolpathMessage(printed));
+  feed.hear(heardAt(test::timeOf(printed.tips[0].stamp_ns)));
+  for (const StampedTip& tip : printed.tips) {
+    const ros::Time now = test::timeOf(tip.stamp_ns);
+    time.set(now);
+    feed.add(test::nozzleMessage(tip).transforms[0], "test");
+    feed.hear(heardAt(now + ros::Duration(late_s), "left"));
+    feed.pass();
+  }
+  std::vector<LoopAlarm> alarms;
+  for (const RaisedAlarm& alarm : feed.run()->takeNews().alarms) alarms.push_back(alarm.alarm);
+  return alarms;
+}
+
+TEST(LoopFeed, HearsEachSensorByItsOwnTimeOffset) {
+  LoopRunSettings settings = test::calibratedLoop();
+  settings.calibration.other_time_offsets_s = {{"left", "5"}};
+  EXPECT_TRUE(alarmsHearing(settings, 5.0, 4.0).empty()) << "scans take 1.25 s";
+  settings.calibration.other_time_offsets_s = {{"left", "0"}};
+  EXPECT_EQ(alarmsHearing(settings, 5.0, 4.0).at(0), LoopAlarm::NoTransform) << "tf is 5 s behind";
+}
+
+TEST(LoopFeed, DoesNotHearCloudsThatItLeavesOut) {
+  const std::vector<LoopAlarm> alarms = alarmsHearing(test::calibratedLoop(), 0.0, 0.5);
+  ASSERT_FALSE(alarms.empty());
+  EXPECT_EQ(alarms[0], LoopAlarm::Silent);
+  EXPECT_EQ(std::count(alarms.begin(), alarms.end(), LoopAlarm::NoTransform), 0);
+}
+
+/// What was heard before a print was not heard without poses of it.
+TEST(LoopFeed, HearsForAPrintWhatComesAfterItsToolpath) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.layers = 1;
+  const SensedWall printed = test::sensedWall(wall);
+  const ros::Time start = test::timeOf(wall.start_ns);
+  const test::SetTime time;
+  time.set(start);
+  LoopFeed feed(wall.settings, 100.0);
+  for (int i = 0; i < 3; ++i) feed.hear(heardAt(start + ros::Duration(0.1 * i)));
+  feed.pass();
+  feed.add(test::toolpathMessage(printed));
+  feed.pass();
+  for (int i = 0; i < 3; ++i) {
+    feed.hear(heardAt(start + ros::Duration(5.0 + 0.1 * i)));
+    feed.pass();
+  }
+  EXPECT_FALSE(isWithoutTransforms(feed));
+}
+
 TEST(LoopFeed, TellsCloudsOfAnUnknownFrameFromNoClouds) {
   test::SensedWallCase wall;
   wall.settings = test::calibratedLoop();
@@ -277,7 +344,7 @@ TEST(LoopFeed, TellsCloudsOfAnUnknownFrameFromNoClouds) {
       auto unknown = boost::make_shared<sensor_msgs::PointCloud2>(test::cloudMessage(printed.clouds[cloud]));
       unknown->header.frame_id = "nowhere";
       feed.add(unknown);
-      feed.hear(unknown->header.stamp);
+      feed.hear(unknown->header);
     }
     feed.pass();
   }

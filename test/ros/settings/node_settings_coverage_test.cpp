@@ -75,6 +75,8 @@ const std::vector<TestedElsewhere>& loopTests() {
       {"process.standoff", "control/run/loop_run_settings_test.cpp", "process.standoff"},
       {"request", "control/run/loop_run_settings_test.cpp", "\"request\""},
       {"sensor.calibration", "ros/loop/height_controller_test.cpp", "_sensor/calibration"},
+      {"sensor.other_time_offset_sigmas_s", "control/run/loop_run_settings_test.cpp",
+       "sensor.other_time_offset_sigmas_s"},
       {"sensor.other_time_offsets_s", "control/run/loop_run_settings_test.cpp",
        "sensor.other_time_offsets_s"},
       {"sensor.place_error_mm", "control/run/loop_run_settings_test.cpp", "sensor.place_error_mm"},

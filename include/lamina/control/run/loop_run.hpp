@@ -109,6 +109,7 @@ class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath; as `metalSplit` for its speeds; as `TaughtPart` for
   ///   the map learnt from previous parts
+  /// @throws InvalidConfig as `timeOffsetSigmas`
   /// @throws FileError if that map cannot be read
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
   ~LoopRun();
@@ -218,6 +219,7 @@ class LoopRun {
 
   PlacedPart part_;
   LoopRunSettings settings_;
+  TimeOffsetSigmas offset_sigmas_;
   Eigen::Isometry3d part_from_bed_;
   Eigen::Vector3d normal_;
   LayerProgress progress_;

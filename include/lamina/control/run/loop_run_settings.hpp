@@ -23,6 +23,8 @@ struct CellCalibration {
   bool is_time_offset_trusted = false;
   double time_offset_sigma_s = 0.0;
   SettingTable other_time_offsets_s;  ///< of further sensors, by the frame of their clouds
+  /// Standard deviations of these; of a sensor without one it is `time_offset_sigma_s`.
+  SettingTable other_time_offset_sigmas_s;
   bool is_place_trusted = false;      ///< whether the sensor's pose at the nozzle is known
   double place_error_mm = 0.0;        ///< error of that pose along the path
   double feeder_uncertainty_s = 0.0;  ///< uncertainty of dead time plus lag
@@ -64,6 +66,19 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings);
 /// By how much the stamps of further sensors are late, by the frame of their clouds [s].
 /// @throws InvalidConfig naming the entry if one is not a number from -60 to 60
 std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s);
+
+/// Standard deviations of the time offsets of several sensors [s].
+struct TimeOffsetSigmas {
+  double calibrated_s = 0.0;               ///< of each sensor that is not among the others
+  std::map<std::string, double> others_s;  ///< by the frame of their clouds
+
+  /// @param frame  with or without a leading slash
+  double of(const std::string& frame) const;
+  double greatest() const;
+};
+
+/// @throws InvalidConfig naming the entry of `other_time_offset_sigmas_s` that is not a number from 0 to 60
+TimeOffsetSigmas timeOffsetSigmas(const CellCalibration& calibration);
 
 /// The input of `checkStability` for the fastest motion and the widest bead of a toolpath.
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings);

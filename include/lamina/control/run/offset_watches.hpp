@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/supervision.hpp"
 
@@ -34,9 +35,9 @@ class OffsetWatches {
 
   /// The offset of the sensor whose offset is the largest in standard deviations, of equal ones that first by
   /// name; none if no sensor gives an estimate.
-  /// @param cells               of the layer that was begun
-  /// @param calibrated_sigma_s  standard deviation of the calibrated offsets
-  std::optional<SensorOffset> offset(const LayerCells& cells, double calibrated_sigma_s) const;
+  /// @param cells       of the layer that was begun
+  /// @param calibrated  standard deviations of the calibrated offsets
+  std::optional<SensorOffset> offset(const LayerCells& cells, const TimeOffsetSigmas& calibrated) const;
 
  private:
   std::size_t cells_ = 0;

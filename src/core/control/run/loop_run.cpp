@@ -22,6 +22,7 @@ namespace lamina {
 LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
     : part_(std::move(part)),
       settings_(settings),
+      offset_sigmas_(timeOffsetSigmas(settings.calibration)),
       part_from_bed_(part_.bed_from_part.inverse()),
       normal_(normalOfLayers(part_.toolpath)),
       progress_(part_.toolpath, settings.following),
@@ -78,6 +79,7 @@ const LoopStatus& LoopRun::request(LoopRequest request) {
 }
 
 void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
+  offset_sigmas_ = timeOffsetSigmas(known);
   settings_.calibration = known;
   offset_left_ = {};
   stability_ = checkNow();
@@ -287,7 +289,7 @@ void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isome
 }
 
 void LoopRun::watchOffset() {
-  const auto offset = offset_.offset(loop_->cells(), settings_.calibration.time_offset_sigma_s);
+  const auto offset = offset_.offset(loop_->cells(), offset_sigmas_);
   offset_left_ = offset.value_or(offset_left_);
   watch();
 }
@@ -312,7 +314,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
   const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
   SensorProfile profile;
   profile.toolpath_from_sensor = part_from_bed_ * cloud.bed_from_sensor;
-  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * velocity_;
+  profile.stamp_sigma_mm = offset_sigmas_.of(cloud.sensor) * velocity_;
   for (const auto& points : cloud.profiles) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);

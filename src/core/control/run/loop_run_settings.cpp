@@ -19,6 +19,8 @@ void describeCalibration(SettingsSchema& schema, CellCalibration& calibration) {
                 "Standard deviation of that.");
   schema.table("sensor.other_time_offsets_s", calibration.other_time_offsets_s,
                "The same of further sensors, by the frame of their clouds; those of others are left out.");
+  schema.table("sensor.other_time_offset_sigmas_s", calibration.other_time_offset_sigmas_s,
+               "Standard deviations of these; sensor.time_offset_sigma_s for those that are not listed.");
   schema.flag("sensor.place_trusted", calibration.is_place_trusted,
               "Whether tf holds the calibrated place of the sensor at the nozzle; else the loop is blocked.");
   schema.number("sensor.place_error_mm", calibration.place_error_mm, {0.0, 1000.0},
@@ -60,14 +62,39 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
                 "Time by the stamps for which poses and clouds wait for older ones.");
 }
 
-std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s) {
-  std::map<std::string, double> known_s;
-  for (const auto& [frame, text] : offsets_s) {
+namespace {
+
+std::map<std::string, double> numbersOf(const SettingTable& table, const std::string& key,
+                                        const Bounds& bounds) {
+  std::map<std::string, double> numbers;
+  for (const auto& [frame, text] : table) {
     SettingsSchema schema;
-    schema.number("sensor.other_time_offsets_s." + frame, known_s[frame], {-60.0, 60.0}, "");
-    schema.set("sensor.other_time_offsets_s." + frame, text);
+    schema.number(key + "." + frame, numbers[frame], bounds, "");
+    schema.set(key + "." + frame, text);
   }
-  return known_s;
+  return numbers;
+}
+
+}  // namespace
+
+std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s) {
+  return numbersOf(offsets_s, "sensor.other_time_offsets_s", {-60.0, 60.0});
+}
+
+TimeOffsetSigmas timeOffsetSigmas(const CellCalibration& calibration) {
+  return {calibration.time_offset_sigma_s, numbersOf(calibration.other_time_offset_sigmas_s,
+                                                     "sensor.other_time_offset_sigmas_s", {0.0, 60.0})};
+}
+
+double TimeOffsetSigmas::of(const std::string& frame) const {
+  const auto other = others_s.find(frame.substr(frame.rfind('/', 0) == 0 ? 1 : 0));
+  return other == others_s.end() ? calibrated_s : other->second;
+}
+
+double TimeOffsetSigmas::greatest() const {
+  double greatest_s = calibrated_s;
+  for (const auto& [frame, sigma_s] : others_s) greatest_s = std::max(greatest_s, sigma_s);
+  return greatest_s;
 }
 
 LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& settings) {
@@ -75,7 +102,8 @@ LoopCalibration calibrationFor(const Toolpath& toolpath, const LoopRunSettings& 
   LoopCalibration calibration;
   calibration.has_time_offset = known.is_time_offset_trusted;
   calibration.has_sensor_place = known.is_place_trusted;
-  calibration.delay_uncertainty_s = std::hypot(known.time_offset_sigma_s, known.feeder_uncertainty_s);
+  calibration.delay_uncertainty_s =
+      std::hypot(timeOffsetSigmas(known).greatest(), known.feeder_uncertainty_s);
   calibration.place_error_mm = known.place_error_mm;
   calibration.cell_mm = settings.cell_mm;
   calibration.levelling_mm = known.levelling_mm;

@@ -27,12 +27,13 @@ void OffsetWatches::see(const std::string& sensor, std::size_t cell, double spee
   watch->second.see(cell, speed_mm_s, reading);
 }
 
-std::optional<SensorOffset> OffsetWatches::offset(const LayerCells& cells, double calibrated_sigma_s) const {
+std::optional<SensorOffset> OffsetWatches::offset(const LayerCells& cells,
+                                                  const TimeOffsetSigmas& calibrated) const {
   std::optional<SensorOffset> worst;
   for (const auto& [sensor, watch] : watches_) {
     const auto left = watch.offset(cells);
     if (!left) continue;
-    const double sigma_s = std::hypot(left->sigma_s, calibrated_sigma_s, kLeastOffsetSigma);
+    const double sigma_s = std::hypot(left->sigma_s, calibrated.of(sensor), kLeastOffsetSigma);
     const SensorOffset offset{sensor, {left->offset_s, sigma_s}};
     if (!worst || offset.sigmas() > worst->sigmas()) worst = offset;
   }
