@@ -168,8 +168,8 @@ ManualConditions CellController::unitByHand() const {
   ManualConditions found;
   found.mode = cell_->status().mode;
   found.state = cell_->status().state;
-  const PlcInterlocks plc = plc_.watch().interlocks(clock_.now());
-  found.is_zone_taken = plc.is_alive && plc.is_zone_taken;
+  found.zone_fault = whyZoneIsTaken(plc_.watch().interlocks(clock_.now()),
+                                    settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None);
   for (const ActiveAlarm& alarm : cell_->status().alarms.all())
     found.is_emergency_stopped = found.is_emergency_stopped || alarm.id == kEmergencyStopPressed;
   return found;
