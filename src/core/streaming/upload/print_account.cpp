@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-PrintAccount::PrintAccount(StreamStatus& status, const StreamableProgram& program)
-    : status_(status), sent_line_(program), read_line_(program) {
-  status_.lines_total = program.lines();
+PrintAccount::PrintAccount(StreamStatus& status, const ProgramBody& body)
+    : status_(status), sent_line_(body.commandEnds()), read_line_(body.commandEnds()) {
+  status_.lines_total = body.program().lines();
   status_.starvation.source = StarvationSource::Nobody;
 }
 

@@ -15,7 +15,7 @@ namespace lamina {
 /// complaints, stalls.
 class PrintAccount {
  public:
-  PrintAccount(StreamStatus& status, const StreamableProgram& program);
+  PrintAccount(StreamStatus& status, const ProgramBody& body);
   PrintAccount(const PrintAccount&) = delete;  // it refers to the status of its job
   PrintAccount& operator=(const PrintAccount&) = delete;
 
