@@ -56,6 +56,22 @@ ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes) {
                  std::to_string(body.bytes()));
 }
 
+ServerAnswer comparedSize(const ProgramBody& body, const nlohmann::json& tree, const char* path) {
+  AnswerNumbers numbers(tree);
+  const auto bytes = numbers.at<std::uint64_t>(path);
+  if (!numbers.doubted().empty()) return unreadable("what was stored", numbers.doubted());
+  return comparedSize(body, bytes.value_or(0));
+}
+
+void AnswerNumbers::doubt(const std::string& path, const std::string& expected) {
+  constexpr std::size_t kLongest = 40;
+  if (!doubted_.empty()) return;
+  std::string text = tree_.at(nlohmann::json::json_pointer(path))
+                         .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  doubted_ = path.substr(1) + " is " + text + "; expected " + expected;
+}
+
 ServerAnswer compared(const ProgramBody& body, const HttpResponse& response) {
   if (response.digested_bytes != body.bytes()) return comparedSize(body, response.digested_bytes);
   if (response.digested_crc32 == body.crc32()) return answered(AnswerKind::Done);
