@@ -33,6 +33,16 @@ TEST(ServerAnswers, TakeWholeNumbersOnlyAsTheyAre) {
   EXPECT_EQ(numberOf<std::uint32_t>(parsedNumber("4294967296")), std::nullopt);
 }
 
+TEST(ServerAnswers, AreNotReadWhereTheyNestWithoutEnd) {
+  const auto nested = [](std::size_t depth) {
+    return HttpResponse{200, R"({"a]":")" + std::string(500, '[') + R"(\"","b":)" +
+                                 std::string(depth - 1, '[') + std::string(depth - 1, ']') + "}"};
+  };
+  EXPECT_TRUE(jsonOf(nested(100))) << "what is quoted does not count";
+  EXPECT_FALSE(jsonOf(nested(101)));
+  EXPECT_FALSE(jsonOf(nested(1000000))) << "its copy would have no room on the stack";
+}
+
 TEST(ServerAnswers, TakeMeasuredNumbersThatAMachineCanHave) {
   EXPECT_EQ(numberOf<double>(parsedNumber("-273.15")), -273.15);
   EXPECT_EQ(numberOf<double>(parsedNumber("210")), 210.0);

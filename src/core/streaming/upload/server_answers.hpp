@@ -19,7 +19,7 @@ inline ServerAnswer refused(const std::string& why) {
   return {ServerAnswer::Kind::Refused, {ErrorCode::Rejected, why}};
 }
 
-/// The body as JSON; nothing if it is not JSON.
+/// The body as JSON; nothing if it is no JSON object, or one that nests more than 100 deep.
 std::optional<nlohmann::json> jsonOf(const HttpResponse& response);
 
 /// The error text of a response: the message in its JSON, otherwise the status and the beginning of its body.
