@@ -111,6 +111,24 @@ TEST(Guards, HearOfAPlcThatIsNotRequiredWhatItForbids) {
   EXPECT_EQ(againstPlc(said, PlcNeed::Required).size(), 4U) << "plate, clamp and material are missing, too";
 }
 
+TEST(Guards, TakeTheZoneOfASilentPlcAsTaken) {
+  PlcInterlocks plc;
+  EXPECT_EQ(whyZoneIsTaken(plc, PlcNeed::None), "") << "there is no PLC";
+  EXPECT_NE(whyZoneIsTaken(plc, PlcNeed::Required).find("is required"), std::string::npos);
+  plc.is_silent = true;  // it reported the zone free before it fell silent
+  const std::vector<UnmetGuard> unmet = againstPlc(plc, PlcNeed::None);
+  ASSERT_EQ(unmet.size(), 1U);
+  EXPECT_EQ(unmet.front().code, 1204);
+  EXPECT_NE(unmet.front().sentence.find("silent"), std::string::npos);
+  EXPECT_EQ(whyZoneIsTaken(plc, PlcNeed::None), unmet.front().sentence);
+  ASSERT_EQ(againstPlc(plc, PlcNeed::Required).size(), 1U);
+  EXPECT_EQ(againstPlc(plc, PlcNeed::Required).front().code, 2101) << "all its interlocks count as not given";
+  plc = kAllGiven;
+  EXPECT_EQ(whyZoneIsTaken(plc, PlcNeed::Required), "");
+  plc.is_zone_taken = true;
+  EXPECT_NE(whyZoneIsTaken(plc, PlcNeed::None).find("another robot"), std::string::npos);
+}
+
 TEST(Guards, LetAPartGoOnThatCannotBeTakenAwayYet) {
   ContinueConditions found;
   found.is_position_known = true;

@@ -119,8 +119,8 @@ TEST(ManualControl, NeedsModeStateZoneDriverAndNoEmergencyStop) {
                    "expected 3 (Manual)"));
   EXPECT_TRUE(says(answerWhere([](Found& found) { found.state = UnitState::Aborted; }),
                    CommandResult::NotInThisState, "Aborted"));
-  EXPECT_TRUE(says(answerWhere([](Found& found) { found.is_zone_taken = true; }), CommandResult::GuardFailed,
-                   "in the zone"));
+  EXPECT_TRUE(says(answerWhere([](Found& found) { found.zone_fault = "a robot is in the zone"; }),
+                   CommandResult::GuardFailed, "in the zone"));
   EXPECT_TRUE(says(answerWhere([](Found& found) { found.is_emergency_stopped = true; }),
                    CommandResult::GuardFailed, "alarm 1207"));
   EXPECT_TRUE(says(answerWhere([](Found& found) { found.has_driver = false; }), CommandResult::GuardFailed,
@@ -133,7 +133,7 @@ TEST(ManualControl, EndsLeaseAndStepWhereTheyAreNotAllowedAnyLonger) {
     ASSERT_EQ(held.jogs(kDown, 1.0).result, CommandResult::Accepted);
     if (what == 0) held.found.mode = kProduction;
     if (what == 1) held.found.state = UnitState::Aborting;
-    if (what == 2) held.found.is_zone_taken = true;
+    if (what == 2) held.found.zone_fault = "a robot is in the zone";
     if (what == 3) held.found.has_driver = false;
     if (what == 4) held.found.is_emergency_stopped = true;
     EXPECT_NE(held.control.follow(held.found, after(1.02)), "") << what;

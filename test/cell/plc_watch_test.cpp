@@ -266,5 +266,39 @@ TEST(PlcWatch, MissesALinkThatWasGoodUntilRemoteAccessIsLocked) {
   EXPECT_EQ(watch.demands(statusIn(UnitState::Held), 14.1).ended, (std::vector<int>{2101}));
 }
 
+TEST(PlcWatch, KnowsAPlcThatFellSilentFromOneThatNeverCalled) {
+  PlcWatch never({});
+  EXPECT_FALSE(never.interlocks(100.0).is_silent);
+  PlcReport unarmed = goodReport();
+  unarmed.heartbeat = PlcHeartbeat::Unarmed;
+  unarmed.interlocks.is_alive = false;
+  never.hear(unarmed, 100.0);
+  EXPECT_FALSE(never.interlocks(100.0).is_silent) << "a link without a PLC";
+
+  PlcWatch watch({});
+  watch.hear(goodReport(), 0.0);
+  EXPECT_FALSE(watch.interlocks(1.9).is_silent);
+  EXPECT_TRUE(watch.interlocks(2.1).is_silent) << "the link has died";
+  watch.hear(unarmed, 3.0);
+  EXPECT_TRUE(watch.interlocks(3.0).is_silent) << "the link is back without its PLC";
+  watch.disarm();
+  EXPECT_FALSE(watch.interlocks(3.0).is_silent) << "the PLC was taken out of use";
+
+  PlcWatch late({});  // of a cell_controller that was started after the heartbeat was lost
+  late.hear(lostReport(WatchdogAction::None), 0.0);
+  EXPECT_TRUE(late.interlocks(0.0).is_silent);
+  late.hear(goodReport(), 1.0);
+  EXPECT_FALSE(late.interlocks(1.0).is_silent);
+}
+
+TEST(PlcWatch, LeavesAPartUnderWayToTheActionOnSilence) {
+  PlcWatch ignores({});
+  ignores.hear(goodReport(), 0.0);
+  ignores.hear(lostReport(WatchdogAction::None), 1.0);
+  EXPECT_TRUE(ignores.demands(statusIn(UnitState::Execute), 1.0).raised.empty());
+  EXPECT_EQ(againstPlc(ignores.interlocks(1.0), PlcNeed::None).front().code, 1204)
+      << "it goes on, but nothing begins";
+}
+
 }  // namespace
 }  // namespace lamina

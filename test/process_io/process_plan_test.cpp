@@ -93,6 +93,16 @@ TEST(ProcessPlan, RefusesWholeWhatIsNoProcess) {
   EXPECT_EQ(plan.at(1.5)->flow_mm3_s, 2.0);
 }
 
+TEST(ProcessPlan, HoldsLastValuesForHalfASecondWhateverIsStated) {
+  ProcessPlan plan;
+  plan.accept({{{1.0, flowing(2.0)}, {2.0, flowing(4.0)}}, 1e9});
+  EXPECT_EQ(plan.validUntil(), 2.5);
+  EXPECT_EQ(plan.at(2.5)->flow_mm3_s, 4.0);
+  EXPECT_FALSE(plan.at(2.501)) << "its sender may be dead";
+  plan.accept({{{1.5, flowing(0.0)}}, 1e9});
+  EXPECT_EQ(plan.at(2.0)->flow_mm3_s, 0.0) << "what switches off takes effect however long it is to hold";
+}
+
 TEST(ProcessPlan, KeepsNoMorePointsThanItMay) {
   ProcessPlan plan;
   ProcessChunk many;
@@ -100,11 +110,11 @@ TEST(ProcessPlan, KeepsNoMorePointsThanItMay) {
     many.points.push_back({static_cast<double>(i), flowing(1.0)});
   EXPECT_THROW(plan.accept(many), InvalidInput);
   many.points.pop_back();
-  many.valid_until_s = 1e9;
-  plan.accept(many);
   const double last_s = many.points.back().time_s;
-  plan.forget(last_s + 1.0);
-  EXPECT_EQ(plan.at(last_s + 1.0)->flow_mm3_s, 1.0);
+  many.valid_until_s = last_s + 0.25;
+  plan.accept(many);
+  plan.forget(last_s + 0.25);
+  EXPECT_EQ(plan.at(last_s + 0.25)->flow_mm3_s, 1.0);
   EXPECT_FALSE(plan.at(last_s - 1.0));
 }
 

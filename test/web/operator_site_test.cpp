@@ -142,6 +142,43 @@ TEST(OperatorSite, KnowsWhoHasLoggedInUntilTheTokenIsGone) {
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 401);
 }
 
+TEST(OperatorSite, EndsAPageWhoseTokenIsWithdrawnAlsoWhereNoneIsNeeded) {
+  SiteOfFakes site;  // a bench, on which whoever shows no token may do everything
+  const std::string token = site.add(WebRole::Viewer, "wall");
+  const WebResponse opened =
+      site.ask(HttpMethod::Post, "/api/v1/session", {}, R"({"token":")" + token + "\"}");
+  const std::string cookie = opened.headers.at(0).second;
+  Headers headers = {{"cookie", cookie.substr(0, cookie.find(';'))},
+                     {"x-csrf-token", nlohmann::json::parse(opened.body)["csrf"]}};
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 200);
+  ASSERT_TRUE(site.store.remove(site.store.tokens().at(0).id));
+  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", headers).status, 401);
+  const WebResponse session = site.ask(HttpMethod::Get, "/api/v1/session", headers);
+  EXPECT_EQ(nlohmann::json::parse(session.body)["is_known"], false);
+  ASSERT_FALSE(session.headers.empty());
+  EXPECT_NE(session.headers.back().second.find("Max-Age=0"), std::string::npos) << "then it may begin anew";
+  headers["x-csrf-token"] = site.get("/api/v1/session")["csrf"];
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", headers, R"({"command":"Start"})").status, 401);
+  EXPECT_TRUE(site.desk.orders().empty());
+}
+
+TEST(OperatorSite, DoesNothingForATokenThatIsWithdrawnWhileTheRequestComes) {
+  SiteOfFakes site(closedLoopback());
+  WebRequest request;
+  request.head.method = HttpMethod::Post;
+  request.head.target = "/api/v1/commands";
+  request.head.headers = {{"host", "127.0.0.1:8080"}, {"x-api-key", site.add(WebRole::Operator, "anna")}};
+  request.head.peer = site.peer;
+  request.body = R"({"command":"Start"})";
+  const auto admission = site.site.admit(request.head, site.now);
+  const auto* admitted = std::get_if<OperatorSite::Admitted>(&admission);
+  ASSERT_NE(admitted, nullptr);
+  ASSERT_TRUE(site.store.remove(site.store.tokens().at(0).id));
+  EXPECT_EQ(site.site.answer(*admitted, request, site.now).status, 401);
+  EXPECT_TRUE(site.desk.orders().empty());
+  EXPECT_NE(site.lastAudit().find("refused 401"), std::string::npos) << site.lastAudit();
+}
+
 TEST(OperatorSite, EndsSessionsAfterTwelveHours) {
   SiteOfFakes site(closedLoopback());
   const std::string token = site.add(WebRole::Viewer, "wall");

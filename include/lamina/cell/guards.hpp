@@ -23,6 +23,7 @@ struct PlcInterlocks {
   bool is_zone_taken = false;  ///< whether another robot is in the zone
   bool is_blocked = false;     ///< whether parts cannot be taken away
   bool is_emergency_stop_pressed = false;
+  bool is_silent = false;  ///< whether it was heard before, and is not alive
 };
 
 /// Whether a unit runs only together with a PLC.
@@ -31,8 +32,12 @@ enum class PlcNeed : std::uint8_t { None, Required };
 /// Unmet guards of the PLC's interlocks, in the order of their codes. Prohibitions (occupied zone, parts that
 /// cannot be taken away, emergency stop) count while the heartbeat comes. A missing build plate, clamp or
 /// supply counts only with `PlcNeed::Required`. Without a heartbeat, `Required` gives the missing heartbeat
-/// alone, and `None` gives nothing.
+/// alone, and `None` gives nothing but the zone of a PLC that was heard before, which counts as taken.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
+
+/// Why the zone is not known to be free; empty if it is, or if there is no PLC that could know: none is
+/// required, and none was heard.
+std::string whyZoneIsTaken(const PlcInterlocks& plc, PlcNeed need);
 
 /// The present conditions for a start.
 struct StartConditions {

@@ -36,7 +36,7 @@ struct ManualCaller {
 struct ManualConditions {
   int mode = kProduction;
   UnitState state = UnitState::Stopped;
-  bool is_zone_taken = false;         ///< whether the PLC reports another robot in the zone
+  std::string zone_fault;             ///< why the zone is not known to be free; empty if it is
   bool is_emergency_stopped = false;  ///< whether the alarm of an emergency stop (1207) is there
   bool has_driver = false;            ///< whether a node that jogs has been heard of
   std::vector<std::string> joints;    ///< that it moves

@@ -74,7 +74,8 @@ class PlcWatch {
   /// States that remote access was locked, so that a silent PLC is not missed unless it is required.
   void disarm() { is_armed_ = false; }
 
-  /// The interlocks for the guards; not alive if the link has been silent for more than two seconds.
+  /// The interlocks for the guards; not alive if the link has been silent for more than two seconds, and
+  /// silent, then, if its heartbeat was good since `disarm` or the link reports it lost.
   PlcInterlocks interlocks(double now_s) const;
 
   /// What has become necessary since the last call; each demand is returned once. To be called as often as

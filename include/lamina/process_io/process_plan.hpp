@@ -25,10 +25,13 @@ struct ProcessChunk {
 };
 
 /// The planned process over absolute time, as far as it is known. A chunk replaces, from its first point on,
-/// what was planned before. Between the end of one chunk and the begin of the next nothing is known.
+/// what was planned before. Between the end of one chunk and the begin of the next nothing is known. A chunk
+/// is valid for at most `kLongestHold` behind its last point, whatever it states: from there on its values
+/// are merely held, and nobody may be left to end them.
 class ProcessPlan {
  public:
-  static constexpr double kMeet = 1e-3;  ///< [s] chunks with at most this time between them adjoin
+  static constexpr double kMeet = 1e-3;        ///< [s] chunks with at most this time between them adjoin
+  static constexpr double kLongestHold = 0.5;  ///< [s] behind the last point of a chunk
   static constexpr std::size_t kMostPoints = 200000;  ///< number of points that are kept
 
   /// @throws InvalidInput if there is no point, times are not finite or not in order, a flow or level is
@@ -38,7 +41,7 @@ class ProcessPlan {
   /// The signals planned for a time; nothing if they are not known. In logarithmic time.
   std::optional<ProcessSignals> at(double time_s) const;
 
-  /// End of the last chunk [s]; -infinity if there is none.
+  /// End of the last chunk [s], as far as it is valid; -infinity if there is none.
   double validUntil() const { return valid_until_s_; }
 
   /// Drops all points before a time.

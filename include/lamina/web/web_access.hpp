@@ -125,6 +125,7 @@ class WebAccess {
   bool isLocal(const HttpHead& head) const;
   WebRefusal badToken(const std::string& address, const CellTime& now);
   std::optional<WebIdentity> bySession(const std::string& cookie, const CellTime& now);
+  bool hasSession(const std::string& cookie) const;
   void forgetOldKeys(const CellTime& now);
 
   WebAccessSettings settings_;

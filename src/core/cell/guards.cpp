@@ -10,7 +10,9 @@
 namespace lamina {
 namespace {
 
+constexpr int kZoneTaken = 1204;
 constexpr int kBlocked = 1206;
+constexpr char kZoneReported[] = "the PLC reports another robot in the zone";
 constexpr double kSmallestDisk = 1024.0 * 1024 * 1024;  // [bytes]
 
 std::vector<UnmetGuard> notGiven(const PlcInterlocks& plc) {
@@ -28,7 +30,7 @@ std::vector<UnmetGuard> notGiven(const PlcInterlocks& plc) {
 
 std::vector<UnmetGuard> forbidden(const PlcInterlocks& plc) {
   std::vector<UnmetGuard> unmet;
-  if (plc.is_zone_taken) unmet.push_back({1204, "the PLC reports another robot in the zone"});
+  if (plc.is_zone_taken) unmet.push_back({kZoneTaken, kZoneReported});
   if (plc.is_blocked) unmet.push_back({kBlocked, "the PLC reports that parts cannot be taken away"});
   if (plc.is_emergency_stop_pressed) unmet.push_back({1312, "the PLC reports the emergency stop pressed"});
   return unmet;
@@ -57,8 +59,21 @@ std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need) {
     return {{2101, "the PLC's heartbeat does not come; its interlocks count as not given"}};
   std::vector<UnmetGuard> unmet;
   if (is_required) append(unmet, notGiven(plc));
-  if (plc.is_alive) append(unmet, forbidden(plc));
+  if (plc.is_alive)
+    append(unmet, forbidden(plc));
+  else if (plc.is_silent)
+    unmet.push_back({kZoneTaken, whyZoneIsTaken(plc, need)});
   return inOrder(std::move(unmet));
+}
+
+std::string whyZoneIsTaken(const PlcInterlocks& plc, PlcNeed need) {
+  if (plc.is_alive) return plc.is_zone_taken ? kZoneReported : "";
+  // Nobody tells another robot's coming: what was free when the PLC was heard last need not be free now.
+  if (plc.is_silent) return "the PLC is silent, so that its zone counts as taken; expected its heartbeat";
+  if (need == PlcNeed::Required)
+    return "the PLC, which is required, is not heard, so that its zone counts as taken; expected its "
+           "heartbeat";
+  return "";
 }
 
 std::vector<UnmetGuard> againstStart(const StartConditions& found) {

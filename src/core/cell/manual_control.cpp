@@ -34,9 +34,8 @@ CommandAnswer againstManual(const ManualConditions& found) {
     return {CommandResult::GuardFailed,
             "the PLC has reported the emergency stop pressed; expected it released, and alarm 1207 "
             "acknowledged, to move the machine by hand"};
-  if (found.is_zone_taken)
-    return {CommandResult::GuardFailed,
-            "the PLC reports a robot in the zone; expected it free to move the machine by hand"};
+  if (!found.zone_fault.empty())
+    return {CommandResult::GuardFailed, "the machine is not moved by hand: " + found.zone_fault};
   if (!found.has_driver)
     return {CommandResult::GuardFailed,
             "no node that jogs is heard on jog_state; expected trajectory_driver (G-code machines are moved "

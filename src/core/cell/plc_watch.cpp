@@ -32,6 +32,10 @@ bool isOnTheWay(UnitState state) {
   return state == UnitState::Starting || state == UnitState::Unholding || state == UnitState::Unsuspending;
 }
 
+bool isLost(PlcHeartbeat heartbeat) {
+  return heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
+}
+
 bool isWaiting(UnitState state) { return state == UnitState::Held || state == UnitState::Suspended; }
 
 bool isSuspension(int alarm) { return alarm >= 1201 && alarm <= 1206; }
@@ -46,9 +50,7 @@ void PlcWatch::hear(const PlcReport& report, double now_s) {
   heard_s_ = now_s;
   if (report.heartbeat == PlcHeartbeat::Good) is_armed_ = true;
   if (!before) return;
-  const bool is_silent =
-      report.heartbeat == PlcHeartbeat::Lost || report.heartbeat == PlcHeartbeat::Abandoned;
-  const bool is_trusted = !is_silent && report.is_plate_written && before->is_plate_written;
+  const bool is_trusted = !isLost(report.heartbeat) && report.is_plate_written && before->is_plate_written;
   is_removal_new_ = is_removal_new_ || (is_trusted && report.is_part_removed && !before->is_part_removed);
   is_guard_opened_ =
       is_guard_opened_ || (report.interlocks.is_alive && !report.is_guard_closed && before->is_guard_closed);
@@ -63,6 +65,7 @@ void PlcWatch::hear(const PlcReport& report, double now_s) {
 PlcInterlocks PlcWatch::interlocks(double now_s) const {
   PlcInterlocks found = report_ ? report_->interlocks : PlcInterlocks{};
   found.is_alive = found.is_alive && now_s - heard_s_ <= kLongestLinkSilence;
+  found.is_silent = !found.is_alive && (is_armed_ || (report_ && isLost(report_->heartbeat)));
   return found;
 }
 
@@ -94,7 +97,8 @@ std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
     const bool runs =
         unit.state == UnitState::Execute || (settings_.holds_on_the_way && isOnTheWay(unit.state));
     const bool counts = runs || (is_raised && !restsBetweenJobs(unit.state));
-    if (suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
+    // What becomes of a part under way when the PLC falls silent is 2101's, by `modbus.watchdog_action`.
+    if (found.is_alive && suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
   }
   if (!found.is_alive && !restsBetweenJobs(unit.state))
     for (const int id : raised_)
@@ -109,7 +113,7 @@ std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
 std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_s) {
   const bool is_link_heard = report_ && now_s - heard_s_ <= kLongestLinkSilence;
   const PlcHeartbeat heartbeat = report_ ? report_->heartbeat : PlcHeartbeat::Unarmed;
-  const bool is_lost = heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
+  const bool is_lost = isLost(heartbeat);
   if (is_link_heard && is_lost && report_->on_silence != WatchdogAction::None)
     return "the PLC's heartbeat does not come";
   const bool is_ignored = !settings_.is_required && report_ && report_->on_silence == WatchdogAction::None;

@@ -56,7 +56,7 @@ void ProcessPlan::accept(const ProcessChunk& chunk) {
     points_.push_back({valid_until_s_, std::nullopt});
   }
   for (const PlannedProcess& point : chunk.points) points_.push_back({point.time_s, point.signals});
-  valid_until_s_ = chunk.valid_until_s;
+  valid_until_s_ = std::min(chunk.valid_until_s, chunk.points.back().time_s + kLongestHold);
 }
 
 std::optional<ProcessSignals> ProcessPlan::at(double time_s) const {

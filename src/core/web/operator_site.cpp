@@ -368,7 +368,12 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
   const RouteRow& row = inside.routes.at(admitted.route).row;
   const std::string key = request.head.header("idempotency-key");
   WebResponse response;
-  if (key.size() > kLongestKey)
+  // An upload lasts for minutes, in which its token may have been withdrawn.
+  const bool is_for_somebody = row.method != HttpMethod::Get && row.right != WebRight::None;
+  if (is_for_somebody && !isStillIn(admitted.who, request.head, now))
+    response = errorAnswer(401, "token_withdrawn",
+                           "the token was withdrawn or has expired while the request came; nothing was done");
+  else if (key.size() > kLongestKey)
     response = errorAnswer(400, "bad_key", "Idempotency-Key has more than 100 bytes");
   else if (key.empty() || row.method == HttpMethod::Get || isUrgent(row) || isShownOnce(row))
     response = inside.call(admitted, request, now);

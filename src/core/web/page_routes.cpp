@@ -42,7 +42,15 @@ json sessionJson(const WebIdentity& who) {
   return value;
 }
 
-WebResponse getSession(SiteCall& call) { return jsonAnswer(200, sessionJson(call.who())); }
+constexpr char kForgottenCookie[] = "lamina_session=; Path=/; HttpOnly; SameSite=Strict; Max-Age=0";
+
+/// A browser forgets a session that is none any more, so that the page can be loaded anew without it.
+WebResponse getSession(SiteCall& call) {
+  WebResponse response = jsonAnswer(200, sessionJson(call.who()));
+  const bool shows_session = !cookieValue(call.request.head.header("cookie"), "lamina_session").empty();
+  if (shows_session && !call.who().role) response.headers.emplace_back("Set-Cookie", kForgottenCookie);
+  return response;
+}
 
 WebResponse openSession(SiteCall& call) {
   const auto opened =
@@ -63,8 +71,7 @@ WebResponse openSession(SiteCall& call) {
 WebResponse closeSession(SiteCall& call) {
   call.parts.access.closeSession(cookieValue(call.request.head.header("cookie"), "lamina_session"));
   WebResponse response = jsonAnswer(200, json::object());
-  response.headers.emplace_back("Set-Cookie",
-                                "lamina_session=; Path=/; HttpOnly; SameSite=Strict; Max-Age=0");
+  response.headers.emplace_back("Set-Cookie", kForgottenCookie);
   response.note = "logout";
   return response;
 }

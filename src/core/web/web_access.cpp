@@ -93,6 +93,10 @@ std::variant<WebIdentity, WebRefusal> WebAccess::identify(const HttpHead& head, 
       identity->is_local = is_local;
       return *identity;
     }
+    // Nor is it somebody without a token: a page whose token was withdrawn would go on with all rights.
+    if (hasSession(cookie))
+      return WebRefusal{401, "token_withdrawn",
+                        "the token of this session was withdrawn or has expired; expected another one"};
   }
   WebIdentity identity;
   identity.is_local = is_local;
@@ -137,6 +141,12 @@ std::optional<WebIdentity> WebAccess::bySession(const std::string& cookie, const
   WebIdentity identity = identityOf(*holder, IdentifiedBy::Session, false);
   identity.csrf = session.csrf;
   return identity;
+}
+
+bool WebAccess::hasSession(const std::string& cookie) const {
+  const std::string digest = sha256Of(cookie);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return sessions_.count(digest) != 0;
 }
 
 std::optional<WebRefusal> WebAccess::againstForgery(const HttpHead& head, const WebIdentity& identity) const {

@@ -29,7 +29,8 @@ constexpr char kRemoteAccess[] = "remote_access";  // among the numbers that the
 constexpr char kLocalStart[] = "local_start_due";  // there, too
 constexpr char kPlc[] = "plc";
 constexpr char kQueue[] = "queue";
-constexpr double kFeedInterval = 1.0;  // [s] between two tries of a speed that was refused
+constexpr char kThisCell[] = "cell_controller";  // as a source of alarms
+constexpr double kFeedInterval = 1.0;            // [s] between two tries of a speed that was refused
 constexpr int kEmergencyStopPressed = 1207;
 constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
@@ -168,8 +169,8 @@ ManualConditions CellController::unitByHand() const {
   ManualConditions found;
   found.mode = cell_->status().mode;
   found.state = cell_->status().state;
-  const PlcInterlocks plc = plc_.watch().interlocks(clock_.now());
-  found.is_zone_taken = plc.is_alive && plc.is_zone_taken;
+  found.zone_fault = whyZoneIsTaken(plc_.watch().interlocks(clock_.now()),
+                                    settings_.plc.is_required ? PlcNeed::Required : PlcNeed::None);
   for (const ActiveAlarm& alarm : cell_->status().alarms.all())
     found.is_emergency_stopped = found.is_emergency_stopped || alarm.id == kEmergencyStopPressed;
   return found;
@@ -316,23 +317,30 @@ bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& reque
 
 void CellController::onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report) {
   try {
-    std::set<std::string>& sources = raised_by_[report->id];
-    if (!report->is_gone) {
-      cell_->raise(report->id, report->value, report->source + ": " + report->message, now());
-      sources.insert(report->source);
-    } else if (sources.erase(report->source) > 0 && sources.empty()) {
-      cell_->end(report->id, now());
-    }
+    if (report->is_gone)
+      endAlarm(report->id, report->source, now());
+    else
+      raiseAlarm({report->id, report->source, report->value, report->source + ": " + report->message}, now());
   } catch (const InvalidInput& error) {
     ROS_ERROR_STREAM_THROTTLE(1.0, "an alarm of '" << report->source << "' is refused: " << error.what());
   }
   onTick();
 }
 
-bool CellController::hasMaster() const {
-  const auto sources = raised_by_.find(kMasterLost);
-  return sources == raised_by_.end() || sources->second.empty();
+/// What this node finds itself is one source among others.
+void CellController::raiseAlarm(const ReportedCause& cause, CellTime now) {
+  cell_->raise(cause.id, cause.value, cause.message, now);
+  raised_by_.raise(cause);
 }
+
+void CellController::endAlarm(int id, const std::string& source, CellTime now) {
+  const auto end = raised_by_.end(id, source);
+  if (!end) return;
+  if (end->is_over) cell_->end(id, now);
+  if (end->other) cell_->raise(id, end->other->value, end->other->message, now);
+}
+
+bool CellController::hasMaster() const { return !raised_by_.isRaised(kMasterLost); }
 
 void CellController::onReport(const ExecutorReport& report) {
   if (!cell_) return;
@@ -381,9 +389,9 @@ void CellController::watchExecutor(CellTime now) {
   if (is_lost == is_executor_lost_) return;
   is_executor_lost_ = is_lost;
   if (is_lost)
-    cell_->raise(kExecutorLost, 0.0, "gcode_streamer gives no sign of life", now);
+    raiseAlarm({kExecutorLost, kThisCell, 0.0, "gcode_streamer gives no sign of life"}, now);
   else
-    cell_->end(kExecutorLost, now);
+    endAlarm(kExecutorLost, kThisCell, now);
 }
 
 void CellController::followPlc(CellTime now) {
@@ -412,9 +420,9 @@ void CellController::followQueue(CellTime now) {
 void CellController::careForJournal(CellTime now) {
   for (const CareAlarm& alarm : care_.look(now)) {
     if (alarm.is_gone)
-      cell_->end(alarm.id, now);
+      endAlarm(alarm.id, kThisCell, now);
     else
-      cell_->raise(alarm.id, alarm.value, alarm.message, now);
+      raiseAlarm({alarm.id, kThisCell, alarm.value, alarm.message}, now);
   }
 }
 

@@ -5,9 +5,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +14,7 @@
 #include "job_intake.hpp"
 #include "journal_care.hpp"
 #include "lamina/base/clock.hpp"
+#include "lamina/cell/alarm_sources.hpp"
 #include "lamina/cell/production_cell.hpp"
 #include "lamina/cell/queue_follower.hpp"
 #include "lamina/cell/time_left.hpp"
@@ -70,6 +69,8 @@ class CellController {
   CellSurroundings surroundings() const;
   ManualConditions unitByHand() const;
   std::string loopFault() const;
+  void raiseAlarm(const ReportedCause& cause, CellTime now);
+  void endAlarm(int id, const std::string& source, CellTime now);
   bool hasMaster() const;
   void onReport(const ExecutorReport& report);
   void onTick();
@@ -109,8 +110,7 @@ class CellController {
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;
   bool is_queue_published_ = false;
-  /// Of alarms by other nodes: each has gone when it has for all that raised it.
-  std::map<std::uint16_t, std::set<std::string>> raised_by_;
+  AlarmSources raised_by_;  ///< of alarms by other nodes, and those by this one that others may raise too
   bool is_executor_lost_ = false;
   int silent_ticks_ = 0;
   bool is_remote_allowed_ = false;

@@ -214,6 +214,12 @@ void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     bridge_.accept(chunk, clock_.now());
+    const double hold_s = chunk.valid_until_s - chunk.points.back().time_s;
+    if (hold_s > ProcessPlan::kLongestHold)
+      ROS_WARN_STREAM_THROTTLE(
+          kQuiet, "a process trajectory is valid for "
+                      << numberText(hold_s) << " s behind its last point; expected at most "
+                      << numberText(ProcessPlan::kLongestHold) << " s, after which the process is safe");
   } catch (const InvalidInput& error) {
     ROS_ERROR_STREAM_THROTTLE(kQuiet, "a process trajectory is refused: " << error.what());
   }

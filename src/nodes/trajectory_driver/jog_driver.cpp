@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "jog_end.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/verification/collision/checked_bodies.hpp"
@@ -21,7 +22,6 @@ namespace {
 
 constexpr double kTellPeriod = 0.1;   // s between reports
 constexpr double kJogSettling = 0.2;  // s after which a jog begins anew, from where the joints are reported
-constexpr double kJogPatience = 5.0;  // s that the controller may need to come to rest
 constexpr double kBlockLook = 0.02;   // s
 
 class NeverCancelled final : public Progress {
@@ -62,27 +62,34 @@ JogDriver::JogDriver(ros::NodeHandle& node, const DriverSettings& settings, cons
   timer_ = node.createTimer(ros::Duration(kTellPeriod), look);
 }
 
-void JogDriver::block() {
+void JogDriver::block(const std::function<bool()>& is_cancelled) {
   const ros::Time begin = ros::Time::now();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_blocked_ = true;
     if (!jog_) return;
   }
-  for (;;) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      const ros::Time now = ros::Time::now();
-      const bool was_moved = jog_->restTime() > 0.0;
-      const bool is_over = !was_moved || (!isMoving(now) && links_.controller.isDone());
-      if (is_over || (now - begin).toSec() > kJogPatience) {
-        jog_.reset();
-        tell(now);
-        return;
-      }
-    }
-    ros::WallDuration(kBlockLook).sleep();
+  while (!isOver((ros::Time::now() - begin).toSec(), is_cancelled())) ros::WallDuration(kBlockLook).sleep();
+}
+
+/// Whether the jog that a job waits for is over; it is then no more.
+bool JogDriver::isOver(double waited_s, bool is_cancelled) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = ros::Time::now();
+  const bool was_moved = jog_->restTime() > 0.0;
+  const bool is_at_rest = !was_moved || (!isMoving(now) && links_.controller.isDone());
+  try {
+    if (!isJogOver({is_at_rest, is_cancelled}, waited_s)) return false;
+  } catch (const Error&) {
+    // Whoever stops a job expects a machine that stops, and at once.
+    if (!is_at_rest) links_.controller.cancel();
+    jog_.reset();
+    tell(now);
+    throw;
   }
+  jog_.reset();
+  tell(now);
+  return true;
 }
 
 void JogDriver::allow() {

@@ -43,7 +43,9 @@ class JogDriver {
             const ExecutorOwner& owner, JogLinks links);
 
   /// Refuses orders until `allow`. Returns once what was under way is at rest.
-  void block();
+  /// @param is_cancelled  whether the job that waits is no longer wanted
+  /// @throws Cancelled if so, DeviceError if the controller does not come to rest; it is told to stop, then
+  void block(const std::function<bool()>& is_cancelled);
   void allow();
   /// Whether the controller may follow an order. Waits for nothing.
   bool isUnderWay() const { return is_under_way_; }
@@ -64,6 +66,7 @@ class JogDriver {
   Eigen::Matrix3d bedFromBase(const JointValues& position) const;
   std::string collisionOn(const std::vector<JointValues>& places);
   bool isMoving(const ros::Time& now) const;
+  bool isOver(double waited_s, bool is_cancelled);
   void tell(const ros::Time& now);
 
   const DriverSettings& settings_;

@@ -149,7 +149,6 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
   if (!pulses_.isHeard())
     ROS_WARN("nobody listens at %s: no watch stops the controller if this node dies",
              settings_.guard_socket.c_str());
-  jog_.block();
   job_ = goal->toolpath_id;
   publishState(DriveStatus());
   const DriveStatus status = judged(drive(*goal));
@@ -180,6 +179,7 @@ bool TrajectoryDriver::isCancelled() const {
 DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) {
   DriveStatus so_far;
   try {
+    jog_.block([this] { return isCancelled(); });
     dry_ = dryOrderOf(goal);
     MachineToolpath placed = toolpath(goal.toolpath_id);
     placed.toolpath = drivenAs(dry_, std::move(placed.toolpath), settings_.dry);

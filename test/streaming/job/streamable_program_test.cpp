@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
 #include "lamina/streaming/session/streamer.hpp"
+#include "streaming/job/change_commands.hpp"
 #include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -172,6 +176,18 @@ TEST(StreamableProgram, RefusesMissingFilesAndFolders) {
   EXPECT_THROW(StreamableProgram::fromFile("/nowhere/at/all.gcode"), FileError);
   const test::ScratchFolder folder;
   EXPECT_THROW(StreamableProgram::fromFile(folder.file("")), FileError);
+}
+
+TEST(StreamableProgram, KnowsItsPartsWithoutItsFile) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("parts.gcode");
+  std::ofstream(path) << "EXCLUDE_OBJECT_DEFINE NAME=left CENTER=1,1\nEXCLUDE_OBJECT_DEFINE CENTER=2,2\n"
+                         "EXCLUDE_OBJECT_DEFINE NAME=right\nEXCLUDE_OBJECT_START NAME=left\nG1 X1\n"
+                         "EXCLUDE_OBJECT_DEFINE NAME=late\n";
+  const StreamableProgram program = StreamableProgram::fromFile(path);
+  std::remove(path.c_str());
+  EXPECT_EQ(program.definedParts(), (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(klipperChange({LiveSetting::CancelPart, 1.0}, program).command, "EXCLUDE_OBJECT NAME=right");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lamina/base/quotation.hpp"
 #include "lamina/streaming/job/program_origin.hpp"
@@ -73,6 +74,9 @@ class StreamableProgram {
   /// The message about the first line that firmware of this protocol would misread; empty if there is none.
   /// @param protocol  one for which the program was checked
   std::string defectFor(const std::string& protocol) const;
+  /// The names of the parts that it defines for Klipper (EXCLUDE_OBJECT_DEFINE) before the first of them
+  /// begins, in its order; at most 10000. Known from when it was checked: reads nothing.
+  const std::vector<std::string>& definedParts() const { return *defined_parts_; }
   /// The part of the text that messages may quote.
   const Quotation& quotation() const { return quotation_; }
   /// @throws FileError if the file is gone
@@ -107,6 +111,7 @@ class StreamableProgram {
   std::shared_ptr<const std::string> text_;
   std::uint64_t lines_ = 0;
   std::optional<ProgramOrigin> origin_;
+  std::shared_ptr<const std::vector<std::string>> defined_parts_;
   Quotation quotation_;
   std::map<std::string, std::string> defects_;  ///< by protocol
 };

@@ -99,6 +99,29 @@ std::vector<Checker> checkersOf(const std::string& firmware) {
   return checkers;
 }
 
+/// The names of the parts that a program defines for Klipper, line by line.
+class DefinedParts {
+ public:
+  void read(const std::string& command) {
+    if (has_begun_ || names.size() >= kMost) return;
+    has_begun_ = command.compare(0, kBeginning.size(), kBeginning) == 0;
+    if (command.compare(0, kDefinition.size(), kDefinition) != 0) return;
+    const std::size_t name = command.find(kNameKey);
+    if (name == std::string::npos) return;
+    const std::size_t first = name + kNameKey.size();
+    names.push_back(command.substr(first, command.find(' ', first) - first));
+  }
+
+  std::vector<std::string> names;
+
+ private:
+  static constexpr std::size_t kMost = 10000;  // as many as `cancel_part` can name
+  static constexpr std::string_view kDefinition = "EXCLUDE_OBJECT_DEFINE ";
+  static constexpr std::string_view kBeginning = "EXCLUDE_OBJECT_START ";
+  static constexpr std::string_view kNameKey = "NAME=";
+  bool has_begun_ = false;  ///< a part: what is defined from here on is none of the plate's
+};
+
 [[noreturn]] void throwUnreadable(const std::string& path, const char* why) {
   throw FileError("cannot read program " + path + ": " + why);
 }
@@ -179,11 +202,13 @@ bool StreamableProgram::hasChanged() const { return !text_ && !(stateOf(path_) =
 void StreamableProgram::check(const StreamSettings& settings) {
   std::vector<Checker> checkers = checkersOf(settings.firmware);
   std::string last_defect;
+  DefinedParts parts;
   ProgramCursor cursor = open();
   while (const auto line = cursor.next()) {
     // A line that is plain G-code may be shown itself.
     if (!quotation_.isRecognised() && isPlainCommand(line->command)) quotation_.recognise();
     ++lines_;
+    parts.read(line->command);
     const auto isMisread = [&](const Checker& checker) {
       const std::string defect = checker.protocol->defectOf(line->command, settings);
       if (defect.empty()) return false;
@@ -196,6 +221,7 @@ void StreamableProgram::check(const StreamSettings& settings) {
     if (checkers.empty()) throw InvalidProgram(last_defect);
   }
   if (lines_ == 0) throw InvalidProgram(name_ + " has no command; expected G-code");
+  defined_parts_ = std::make_shared<const std::vector<std::string>>(std::move(parts.names));
 }
 
 std::string StreamableProgram::defectFor(const std::string& protocol) const {

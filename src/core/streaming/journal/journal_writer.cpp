@@ -17,7 +17,6 @@ constexpr std::uint64_t kUncertainOks = 8;  // an ok does not say what it is for
 constexpr double kAheadTime = 0.2;          // s
 constexpr double kMeasuringTime = 0.02;     // s: the faster the rate is known, the fewer waits at the start
 constexpr double kAcknowledgementInterval = 0.1;  // s
-constexpr double kLongestWrite = 10.0;            // s
 
 }  // namespace
 

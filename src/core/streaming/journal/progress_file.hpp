@@ -9,6 +9,8 @@
 
 namespace lamina {
 
+inline constexpr double kLongestWrite = 10.0;  ///< [s] after which a disk counts as one that does not answer
+
 /// A progress file that is open for writing. A record is on disk when `write` returns.
 class ProgressFile {
  public:

@@ -20,9 +20,8 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
-#include "lamina/streaming/journal/job_journal.hpp"
-#include "streaming/journal/progress_file.hpp"
 #include "streaming/session/session_kind.hpp"
+#include "streaming/session/upload_journal.hpp"
 #include "streaming/transport/deadline_timer.hpp"
 #include "streaming/transport/http_client.hpp"
 #include "streaming/upload/upload_job.hpp"
@@ -30,86 +29,7 @@
 namespace lamina {
 namespace {
 
-/// The progress file of a print that a server runs by itself: the uploaded file, its name, and how much of it
-/// the machine last reported as read. It is on disk before the print starts. If the disk fails the print goes
-/// on without it.
-class UploadJournal {
- public:
-  /// @throws FileError if the program is gone
-  UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port);
-
-  /// Stores the progress; to be called before the job's request is sent.
-  void keep(const UploadJob& job);
-  /// The job's status, completed by the last progress of a print that is gone and by a failure of the file.
-  StreamStatus withWhatIsKnown(const UploadJob& job) const;
-
- private:
-  void begin(const UploadJob& job);
-
-  StreamJournal where_;
-  JournalledJob job_;
-  JobProgress kept_;
-  std::unique_ptr<ProgressFile> file_;
-  std::string failure_;
-};
-
-/// Whether the machine was lost from sight, and prints on.
-bool isOutOfSight(const StreamStatus& status) {
-  return status.failure.code == ErrorCode::Disconnected &&
-         (status.state == PackmlState::Aborting || status.state == PackmlState::Aborted);
-}
-
-JobProgress progressOf(const StreamStatus& status) {
-  JobProgress progress;
-  progress.sent_through = status.lines_total;
-  progress.taken_through = status.lines_acknowledged;
-  progress.layer = status.layer;
-  progress.state = isOutOfSight(status) ? PackmlState::Execute : status.state;
-  return progress;
-}
-
-UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
-    : where_(std::move(where)) {
-  if (where_.path.empty()) return;
-  job_ = describedJob(program, port);
-  job_.execution = where_.unfinished ? where_.unfinished->job.execution : where_.execution;
-}
-
-void UploadJournal::begin(const UploadJob& job) {
-  if (!where_.unfinished) keepUnfinished(where_.path);
-  job_.protocol = job.firmware();
-  job_.firmware_name = job.status().firmware_name;
-  job_.uploaded_as = job.printedFile();
-  file_ = std::make_unique<ProgressFile>(where_.path, job_, stampedNow(kept_));
-}
-
-void UploadJournal::keep(const UploadJob& job) {
-  // What fails before the print may have been started leaves what was known of the one before.
-  if (where_.path.empty() || !failure_.empty() || !(file_ || job.mayBeStarted())) return;
-  const JobProgress known = progressOf(job.status());
-  const bool is_kept = file_ && known.taken_through == kept_.taken_through && known.layer == kept_.layer &&
-                       known.state == kept_.state;
-  if (is_kept) return;
-  kept_ = known;
-  try {
-    if (file_)
-      file_->write(stampedNow(kept_));
-    else
-      begin(job);
-  } catch (const Error& error) {
-    failure_ = std::string(error.what()) + "; the print goes on, but how far it is is no longer kept";
-    file_.reset();
-  }
-}
-
-StreamStatus UploadJournal::withWhatIsKnown(const UploadJob& job) const {
-  StreamStatus status = job.status();
-  if (!failure_.empty()) status.message = failure_;
-  const bool is_not_there = isFinal(status.state) && !job.mayBeStarted();
-  if (where_.unfinished && is_not_there)
-    status.failure.message += "; known is: " + describeProgress(*where_.unfinished);
-  return status;
-}
+constexpr double kJournalLook = 0.01;  // s between looks whether the progress file is on disk
 
 /// The first line of the file that `stream.password_file` names.
 std::string credentialFrom(const StreamSettings& settings) {
@@ -225,12 +145,18 @@ class UploadSession final : public SessionKind {
   /// Passes on what the job wants after each event.
   void flush() {
     if (is_closed_) return;
-    if (job_.takeBreak()) client_.breakOff();
-    const auto request = job_.takeRequest(clock_.now());
-    journal_.keep(job_);
-    if (request) client_.ask(*request, order_->body);
-    record_.publish(journal_.withWhatIsKnown(job_), job_.takeStateChanges(), clock_.now());
-    if (!isFinal(job_.status().state)) return timer_.set(job_.nextDeadline());
+    const double now = clock_.now();
+    if (job_.takeBreak()) {
+      client_.breakOff();
+      waiting_.reset();
+    }
+    if (auto request = job_.takeRequest(now)) waiting_ = std::move(request);
+    journal_.keep(job_, now);
+    const bool must_wait = waiting_ && journal_.isAwaited(job_);
+    if (waiting_ && !must_wait) client_.ask(*std::exchange(waiting_, std::nullopt), order_->body);
+    record_.publish(journal_.withWhatIsKnown(job_), job_.takeStateChanges(), now);
+    if (!isFinal(job_.status().state))
+      return timer_.set(must_wait ? std::min(now + kJournalLook, job_.nextDeadline()) : job_.nextDeadline());
     is_closed_ = true;
     timer_.cancel();
     client_.breakOff();
@@ -245,6 +171,7 @@ class UploadSession final : public SessionKind {
   std::shared_ptr<const UploadOrder> order_;
   UploadJob job_;
   HttpClient client_;
+  std::optional<HttpRequest> waiting_;  ///< until the progress file states what it begins
   DeadlineTimer timer_;
   /// Until the job is over, so that the thread waits for commands.
   std::optional<boost::asio::executor_work_guard<boost::asio::io_context::executor_type>> work_;

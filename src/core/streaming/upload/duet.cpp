@@ -135,7 +135,10 @@ ServerAnswer Duet::readConnect(const HttpResponse& response) {
   if (response.status / 100 == 5) return answerOfStatus("the question who is there", response);
   const auto tree = jsonOf(response);
   if (!isOfDuet(tree)) return answered(AnswerKind::NotMine);
-  const int error = valueAt(*tree, "/err", -1);
+  AnswerNumbers numbers(*tree);
+  const auto error = numbers.at<int>("/err");
+  const auto key = numbers.at<std::uint64_t>("/sessionKey");
+  if (!numbers.doubted().empty()) return unreadable("the question who is there", numbers.doubted());
   if (error == 1 && !gives_password_ && !order().credential.empty()) {
     gives_password_ = true;
     return answered(AnswerKind::More);
@@ -155,8 +158,7 @@ ServerAnswer Duet::readConnect(const HttpResponse& response) {
                  std::to_string(body.longestCommand()) + " bytes; RepRapFirmware takes " +
                  std::to_string(kLongestCommand)}};
   }
-  const auto key = valueAt<std::uint64_t>(*tree, "/sessionKey", 0);
-  session_key_ = key == 0 ? "" : std::to_string(key);
+  session_key_ = key.value_or(0) == 0 ? "" : std::to_string(*key);
   server_name = "RepRapFirmware (" + valueAt<std::string>(*tree, "/boardType", "Duet") + ")";
   part_ = Part::Tools;
   return answered(AnswerKind::More);
@@ -208,9 +210,10 @@ ServerAnswer Duet::readResult(UploadStep step, const HttpResponse& response) con
   const auto tree = jsonOf(response);
   if (!tree)
     return {AnswerKind::Later, {ErrorCode::DeviceError, "the answer to " + what + " cannot be read"}};
-  const int error = valueAt(*tree, "/err", 0);
-  if (step == UploadStep::Verify && error == 0)
-    return comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/size", 0));
+  AnswerNumbers numbers(*tree);
+  const int error = numbers.at<int>("/err").value_or(0);
+  if (!numbers.doubted().empty()) return unreadable(what, numbers.doubted());
+  if (step == UploadStep::Verify && error == 0) return comparedSize(order().body, *tree, "/size");
   if (error == 0) return answered(AnswerKind::Done);
   if (step == UploadStep::Upload)
     return refused("the Duet has not stored the file: its size or checksum is wrong, or the card is full");

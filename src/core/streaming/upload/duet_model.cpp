@@ -54,7 +54,7 @@ double targetOf(const json& heater) {
 
 std::optional<std::size_t> bedHeater(const json& model) {
   for (const json& number : listAt(model, "/heat/bedHeaters"))
-    if (number.is_number_integer() && number.get<int>() >= 0) return number.get<std::size_t>();
+    if (const auto heater = numberOf<std::size_t>(number)) return heater;
   return std::nullopt;
 }
 
@@ -65,27 +65,44 @@ bool heatsNoTool(const json& model, std::size_t heater) {
   return false;
 }
 
-std::optional<ReportedTemperatures> temperaturesOf(const json& model) {
+std::string currentOf(std::size_t heater) { return "/heat/heaters/" + std::to_string(heater) + "/current"; }
+
+std::optional<ReportedTemperatures> temperaturesOf(const json& model, AnswerNumbers& numbers) {
   const json& heaters = listAt(model, "/heat/heaters");
   std::size_t nozzle = 0;
   while (nozzle < heaters.size() && (!heaters[nozzle].is_object() || heatsNoTool(model, nozzle))) ++nozzle;
   if (nozzle >= heaters.size()) return std::nullopt;
+  const auto nozzle_c = numbers.at<double>(currentOf(nozzle));
+  if (!nozzle_c) return std::nullopt;
   ReportedTemperatures temperatures;
-  temperatures.nozzle_c = valueAt(heaters[nozzle], "/current", 0.0);
+  temperatures.nozzle_c = *nozzle_c;
   temperatures.nozzle_target_c = targetOf(heaters[nozzle]);
   const auto bed = bedHeater(model);
   if (!bed || *bed >= heaters.size() || !heaters[*bed].is_object()) return temperatures;
-  temperatures.bed_c = valueAt(heaters[*bed], "/current", 0.0);
-  temperatures.bed_target_c = targetOf(heaters[*bed]);
+  temperatures.bed_c = numbers.at<double>(currentOf(*bed));
+  if (temperatures.bed_c) temperatures.bed_target_c = targetOf(heaters[*bed]);
   return temperatures;
 }
 
-std::optional<ReportedPosition> positionOf(const json& model) {
-  const json& axes = listAt(model, "/move/axes");
-  if (axes.size() < 3) return std::nullopt;
-  return ReportedPosition{valueAt(axes[0], "/userPosition", 0.0), valueAt(axes[1], "/userPosition", 0.0),
-                          valueAt(axes[2], "/userPosition", 0.0),
-                          valueAt(model, "/move/extruders/0/position", 0.0)};
+std::optional<ReportedPosition> positionOf(AnswerNumbers& numbers) {
+  const auto x = numbers.at<double>("/move/axes/0/userPosition");
+  const auto y = numbers.at<double>("/move/axes/1/userPosition");
+  const auto z = numbers.at<double>("/move/axes/2/userPosition");
+  if (!x || !y || !z) return std::nullopt;
+  return ReportedPosition{*x, *y, *z, numbers.at<double>("/move/extruders/0/position").value_or(0.0)};
+}
+
+/// Whether a heater has a target, or may have one: what cannot be read may.
+bool mayHeat(const json& model, AnswerNumbers& numbers) {
+  constexpr const char* kHeaters = "/heat/heaters";
+  const json::json_pointer listed(kHeaters);
+  if (model.contains(listed) && !model.at(listed).is_array() && !model.at(listed).is_null()) {
+    numbers.doubt(kHeaters, "a list");
+    return true;
+  }
+  const json& heaters = listAt(model, kHeaters);
+  return std::any_of(heaters.begin(), heaters.end(),
+                     [](const json& heater) { return heater.is_object() && isOn(heater); });
 }
 
 }  // namespace
@@ -99,6 +116,7 @@ std::string belowPrograms(const std::string& name) {
 
 MachineReport reportOf(const json& model) {
   MachineReport report;
+  AnswerNumbers numbers(model);
   const std::string status = valueAt<std::string>(model, "/state/status", "disconnected");
   report.is_halted = status == "halted" || status == "off";
   report.is_ready =
@@ -109,16 +127,15 @@ MachineReport reportOf(const json& model) {
   if (!printed.empty()) {
     report.file = belowPrograms(printed);
     report.state = underWay(status);
-    report.bytes_read = valueAt<std::uint64_t>(model, "/job/filePosition", 0);
+    report.bytes_read = numbers.at<std::uint64_t>("/job/filePosition");
   } else if (!last.empty()) {
     report.file = belowPrograms(last);
     report.state = ended(model);
   }
-  const json& heaters = listAt(model, "/heat/heaters");
-  report.has_targets = std::any_of(heaters.begin(), heaters.end(),
-                                   [](const json& heater) { return heater.is_object() && isOn(heater); });
-  report.temperatures = temperaturesOf(model);
-  report.position = positionOf(model);
+  report.has_targets = mayHeat(model, numbers);
+  report.temperatures = temperaturesOf(model, numbers);
+  report.position = positionOf(numbers);
+  report.doubt = numbers.doubted();
   return report;
 }
 
@@ -132,8 +149,11 @@ std::vector<std::string> complaintsIn(const std::string& said) {
 
 std::string heatersOffCommands(const json& tools) {
   std::string commands = "M140 S-273.15\nM141 S-273.15";
-  for (const json& tool : tools)
-    if (tool.is_object()) commands += "\nM568 P" + std::to_string(valueAt(tool, "/number", 0)) + " A0";
+  // Tools are listed by their numbers: one that does not state its own stands in its place.
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    if (tools[i].is_object())
+      commands +=
+          "\nM568 P" + std::to_string(valueAt(tools[i], "/number", static_cast<std::uint32_t>(i))) + " A0";
   return commands + "\nM107";
 }
 

@@ -2,32 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
-
-#include "lamina/streaming/job/streamable_program.hpp"
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lamina {
+
+/// Where the commands of a program end in its text, and their layers. It is held in memory, a byte for most
+/// commands: while a machine prints its reports are read without the program's disk.
+class CommandEnds {
+ public:
+  /// Adds the next command.
+  /// @param end  number of bytes of the text up to its end; not less than that of the command before
+  void add(std::uint64_t end, std::int32_t layer);
+
+ private:
+  friend class LineAtByte;
+  struct LayerBegin {
+    std::uint64_t line = 0;  ///< number of commands before it
+    std::int32_t layer = -1;
+  };
+  std::string
+      distances_;  ///< between ends, seven bits a byte, low ones first; the last byte without its top bit
+  std::uint64_t lines_ = 0;
+  std::uint64_t last_end_ = 0;
+  std::vector<LayerBegin> layers_;
+};
 
 /// Finds the last command of a program before a position in its file.
 class LineAtByte {
  public:
-  explicit LineAtByte(StreamableProgram program);
+  explicit LineAtByte(std::shared_ptr<const CommandEnds> ends) : ends_(std::move(ends)) {}
 
-  /// Number of commands that end at or before a byte of the file. A file that was changed is not read any
-  /// further.
+  /// Number of commands that end at or before a byte of the file.
   std::uint64_t linesBefore(std::uint64_t byte);
   /// Layer of the last of these commands; -1 before the first.
   std::int32_t layer() const { return layer_; }
 
  private:
   void rewind();
+  std::uint64_t nextDistance(std::size_t& at) const;
 
-  StreamableProgram program_;
-  std::optional<ProgramCursor> cursor_;
-  std::optional<ProgramLine> next_;
+  std::shared_ptr<const CommandEnds> ends_;
+  std::size_t at_ = 0;          ///< byte of the distances
+  std::size_t next_layer_ = 0;  ///< of the layers that begin
   std::uint64_t lines_ = 0;
-  std::uint64_t last_byte_ = 0;
+  std::uint64_t end_ = 0;  ///< of the last of these commands
   std::int32_t layer_ = -1;
 };
 

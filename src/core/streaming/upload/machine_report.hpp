@@ -27,14 +27,16 @@ struct MachineReport {
   bool is_halted = false;  ///< whether the machine has shut down itself and its heaters
   std::string condition;   ///< in the machine's own words, if it is not ready or the print has failed
   PrintState state = PrintState::None;
-  std::string file;              ///< name below the folder of programs; empty without a print
-  std::uint64_t bytes_read = 0;  ///< number of bytes of the file that were read
-  bool is_moving = false;        ///< whether motions are in progress
+  std::string file;                         ///< name below the folder of programs; empty without a print
+  std::optional<std::uint64_t> bytes_read;  ///< number of bytes of the file that were read, if reported
+  bool is_moving = false;                   ///< whether motions are in progress
   /// Number of stalls for want of motions since the machine's start; nothing if not reported.
   std::optional<std::uint64_t> stalls;
   bool has_targets = false;  ///< whether a heater has a target, or may have one
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
+  /// What of it was left out for being no number in earnest; empty if nothing was.
+  std::string doubt = {};
 
   bool isPrintUnderWay() const {
     return state == PrintState::Printing || state == PrintState::Changing || state == PrintState::Paused;

@@ -43,6 +43,7 @@ class Moonraker final : public PrintServer {
   ServerAnswer readMessages(const HttpResponse& response);
   ServerAnswer readVerify(const HttpResponse& response);
   void readMachine(const nlohmann::json& status);
+  void readHeaters(const nlohmann::json& status, AnswerNumbers& numbers);
 
   bool gives_key_ = false;
   bool knows_size_ = false;  ///< and the file is to be read back
@@ -274,33 +275,43 @@ ChangeCommand Moonraker::changed(const LiveChange& change) const {
 /// Klipper answers for every object that is asked for: one that it has not is empty, and what was asked of it
 /// null.
 void Moonraker::readMachine(const nlohmann::json& status) {
-  last_report.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
+  AnswerNumbers numbers(status);
+  last_report.bytes_read = numbers.at<std::uint64_t>("/virtual_sdcard/file_position");
   excludes_parts_ = isList(status, "/exclude_object/excluded_objects");
-  if (status.contains(nlohmann::json::json_pointer("/toolhead/stalls")))
-    last_report.stalls = valueAt<std::uint64_t>(status, "/toolhead/stalls", 0);
+  last_report.stalls = numbers.at<std::uint64_t>("/toolhead/stalls");
   last_report.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
-  const auto position = nlohmann::json::json_pointer("/gcode_move/gcode_position");
-  if (isList(status, "/gcode_move/gcode_position") && status.at(position).size() >= 4)
-    last_report.position = ReportedPosition{valueAt(status, "/gcode_move/gcode_position/0", 0.0),
-                                            valueAt(status, "/gcode_move/gcode_position/1", 0.0),
-                                            valueAt(status, "/gcode_move/gcode_position/2", 0.0),
-                                            valueAt(status, "/gcode_move/gcode_position/3", 0.0)};
-  ReportedTemperatures now;
-  now.nozzle_c = valueAt(status, "/extruder/temperature", 0.0);
-  now.nozzle_target_c = valueAt(status, "/extruder/target", 0.0);
-  if (status.contains(nlohmann::json::json_pointer("/heater_bed/temperature"))) {
-    now.bed_c = valueAt(status, "/heater_bed/temperature", 0.0);
-    now.bed_target_c = valueAt(status, "/heater_bed/target", 0.0);
+  const auto x = numbers.at<double>("/gcode_move/gcode_position/0");
+  const auto y = numbers.at<double>("/gcode_move/gcode_position/1");
+  const auto z = numbers.at<double>("/gcode_move/gcode_position/2");
+  const auto e = numbers.at<double>("/gcode_move/gcode_position/3");
+  if (x && y && z && e) last_report.position = ReportedPosition{*x, *y, *z, *e};
+  if (const auto nozzle_c = numbers.at<double>("/extruder/temperature")) {
+    ReportedTemperatures now;
+    now.nozzle_c = *nozzle_c;
+    now.nozzle_target_c = numbers.at<double>("/extruder/target");
+    now.bed_c = numbers.at<double>("/heater_bed/temperature");
+    now.bed_target_c = numbers.at<double>("/heater_bed/target");
+    last_report.temperatures = now;
   }
-  if (status.contains(nlohmann::json::json_pointer("/extruder/temperature"))) last_report.temperatures = now;
-  const auto listed = nlohmann::json::json_pointer("/heaters/available_heaters");
+  readHeaters(status, numbers);
+  last_report.doubt = numbers.doubted();
+}
+
+/// A heater that is not known to be off counts as one that may be on.
+void Moonraker::readHeaters(const nlohmann::json& status, AnswerNumbers& numbers) {
+  constexpr const char* kListed = "/heaters/available_heaters";
+  const nlohmann::json::json_pointer listed(kListed);
   heaters_.clear();
-  if (isList(status, "/heaters/available_heaters"))
+  const bool is_listed = isList(status, kListed);
+  if (is_listed)
     for (const auto& heater : status.at(listed))
       if (heater.is_string()) heaters_.push_back(heater.get<std::string>());
   last_report.has_targets = std::any_of(heaters_.begin(), heaters_.end(), [&](const std::string& heater) {
     return !status.contains(heater) || valueAt(status.at(heater), "/target", 1.0) > 0.0;
   });
+  if (is_listed || !status.contains(listed) || status.at(listed).is_null()) return;
+  last_report.has_targets = true;
+  numbers.doubt(kListed, "a list");
 }
 
 ServerAnswer Moonraker::readVerify(const HttpResponse& response) {
@@ -314,7 +325,7 @@ ServerAnswer Moonraker::readVerify(const HttpResponse& response) {
   const auto tree = jsonOf(response);
   if (!tree)
     return {AnswerKind::Later, {ErrorCode::DeviceError, "the answer of what was stored cannot be read"}};
-  ServerAnswer size = comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/result/size", 0));
+  ServerAnswer size = comparedSize(order().body, *tree, "/result/size");
   if (size.kind != AnswerKind::Done) return size;
   knows_size_ = true;
   return answered(AnswerKind::More);

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace lamina {
 
-PrintAccount::PrintAccount(StreamStatus& status, const StreamableProgram& program)
-    : status_(status), sent_line_(program), read_line_(program) {
-  status_.lines_total = program.lines();
+PrintAccount::PrintAccount(StreamStatus& status, const ProgramBody& body)
+    : status_(status), sent_line_(body.commandEnds()), read_line_(body.commandEnds()) {
+  status_.lines_total = body.program().lines();
   status_.starvation.source = StarvationSource::Nobody;
 }
 
@@ -21,6 +22,9 @@ void PrintAccount::hearOfMachine(const MachineReport& report) {
   if (report.temperatures) status_.temperatures = report.temperatures;
   if (report.position) status_.position = report.position;
   if (report.stalls) status_.starvation.source = StarvationSource::Machine;
+  // Told once, not with each report.
+  if (report.doubt != std::exchange(doubt_, report.doubt) && !report.doubt.empty())
+    status_.message = "left out of the machine's report: " + report.doubt;
 }
 
 void PrintAccount::hear(PrintServer& server) {
@@ -33,9 +37,9 @@ void PrintAccount::hear(PrintServer& server) {
 void PrintAccount::hearOfPrint(PrintServer& server) {
   const MachineReport& report = server.report();
   hearOfMachine(report);
-  if (server.isOurs() && report.state != PrintState::None) {
+  if (server.isOurs() && report.state != PrintState::None && report.bytes_read) {
     status_.lines_acknowledged =
-        std::max(status_.lines_acknowledged, read_line_.linesBefore(report.bytes_read));
+        std::max(status_.lines_acknowledged, read_line_.linesBefore(*report.bytes_read));
     status_.layer = read_line_.layer();
   }
   for (const std::string& complaint : server.takeComplaints()) {

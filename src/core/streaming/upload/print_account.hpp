@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "lamina/streaming/job/stream_job.hpp"
 #include "streaming/upload/line_at_byte.hpp"
@@ -15,7 +16,7 @@ namespace lamina {
 /// complaints, stalls.
 class PrintAccount {
  public:
-  PrintAccount(StreamStatus& status, const StreamableProgram& program);
+  PrintAccount(StreamStatus& status, const ProgramBody& body);
   PrintAccount(const PrintAccount&) = delete;  // it refers to the status of its job
   PrintAccount& operator=(const PrintAccount&) = delete;
 
@@ -33,6 +34,7 @@ class PrintAccount {
   StreamStatus& status_;
   LineAtByte sent_line_;
   LineAtByte read_line_;
+  std::string doubt_;                           ///< of the last report
   std::optional<std::uint64_t> stalls_before_;  ///< number before the print
 };
 

@@ -65,6 +65,8 @@ void ProgramBody::checkLines() {
   const auto text = program_.openText();
   ProgramCursor cursor = program_.open();
   auto next = cursor.next();
+  const auto ends = std::make_shared<CommandEnds>();
+  command_ends_ = ends;
   std::string raw;
   for (std::uint64_t number = 1; std::getline(*text, raw); ++number) {
     if (line_not_utf8_ == 0 && !isUtf8(raw)) line_not_utf8_ = number;
@@ -78,6 +80,7 @@ void ProgramBody::checkLines() {
     }
     if (!has_command) continue;
     outputs_.see(read);
+    ends->add(cursor.bytesRead(), next->layer);
     if (read.size() > longest_bytes_) {
       longest_bytes_ = read.size();
       longest_line_ = number;

@@ -9,12 +9,13 @@
 
 #include "lamina/streaming/job/streamable_program.hpp"
 #include "streaming/job/used_outputs.hpp"
+#include "streaming/upload/line_at_byte.hpp"
 
 namespace lamina {
 
 /// A program as it is uploaded: the bytes of its text, with an end of line added to the last line if it has
-/// none, as Klipper does not run such a line. The program is read once for size and checksums, in constant
-/// memory.
+/// none, as Klipper does not run such a line. The program is read once for size, checksums and the ends of
+/// its commands; it is not held in memory.
 class ProgramBody {
  public:
   /// @throws FileError if the file is gone
@@ -32,6 +33,8 @@ class ProgramBody {
   /// The outputs that the program switches on.
   const UsedOutputs& outputs() const { return outputs_; }
   const StreamableProgram& program() const { return program_; }
+  /// Where each command ends in the bytes.
+  const std::shared_ptr<const CommandEnds>& commandEnds() const { return command_ends_; }
 
   /// Reads the bytes in order.
   class Reader {
@@ -62,6 +65,7 @@ class ProgramBody {
   std::size_t longest_bytes_ = 0;
   std::uint64_t longest_line_ = 0;
   UsedOutputs outputs_;
+  std::shared_ptr<const CommandEnds> command_ends_;
 };
 
 }  // namespace lamina

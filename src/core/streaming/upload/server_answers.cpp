@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/upload/server_answers.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "lamina/base/percent_encoding.hpp"
@@ -16,11 +17,30 @@ std::string eightDigits(std::uint32_t number) {
   return text.data();
 }
 
+/// How many arrays and objects of a JSON text enclose what is enclosed most.
+std::size_t depthOf(const std::string& text) {
+  std::size_t depth = 0;
+  std::size_t greatest = 0;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (is_quoted && c == '\\') ++i;  // and what it is in front of
+    if (is_quoted) continue;
+    if (c == '[' || c == '{') greatest = std::max(greatest, ++depth);
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+  }
+  return greatest;
+}
+
 }  // namespace
 
 std::string escapedForUrl(const std::string& text) { return percentEncoded(text, "-._~/"); }
 
 std::optional<nlohmann::json> jsonOf(const HttpResponse& response) {
+  // Far more than any server's; what is copied or written goes down by one call a level.
+  constexpr std::size_t kGreatestDepth = 100;
+  if (depthOf(response.body) > kGreatestDepth) return std::nullopt;
   nlohmann::json tree = nlohmann::json::parse(response.body, nullptr, false);
   if (!tree.is_object()) return std::nullopt;
   return tree;
@@ -54,6 +74,22 @@ ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes) {
   if (bytes == body.bytes()) return answered(AnswerKind::Done);
   return refused("the uploaded file has " + std::to_string(bytes) + " bytes; expected " +
                  std::to_string(body.bytes()));
+}
+
+ServerAnswer comparedSize(const ProgramBody& body, const nlohmann::json& tree, const char* path) {
+  AnswerNumbers numbers(tree);
+  const auto bytes = numbers.at<std::uint64_t>(path);
+  if (!numbers.doubted().empty()) return unreadable("what was stored", numbers.doubted());
+  return comparedSize(body, bytes.value_or(0));
+}
+
+void AnswerNumbers::doubt(const std::string& path, const std::string& expected) {
+  constexpr std::size_t kLongest = 40;
+  if (!doubted_.empty()) return;
+  std::string text = tree_.at(nlohmann::json::json_pointer(path))
+                         .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  doubted_ = path.substr(1) + " is " + text + "; expected " + expected;
 }
 
 ServerAnswer compared(const ProgramBody& body, const HttpResponse& response) {

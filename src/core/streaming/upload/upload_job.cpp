@@ -25,7 +25,7 @@ UploadJob::UploadJob(const StreamSettings& settings, std::shared_ptr<const Uploa
     : settings_(settings),
       order_(std::move(order)),
       servers_(printServers(settings.firmware, order_)),
-      account_(record_.status, order_->body.program()),
+      account_(record_.status, order_->body),
       stop_(settings) {}
 
 void UploadJob::start(double now) {

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "lamina/streaming/journal/job_progress.hpp"
+
+namespace lamina {
+
+/// Keeps the latest progress on disk, in a thread of its own: whoever states it waits for no disk, since it
+/// has a machine to stop.
+class ProgressKeeper {
+ public:
+  /// Function that returns once the progress is on disk.
+  /// @throws FileError
+  using Write = std::function<void(const JobProgress& progress)>;
+
+  /// @param write  called in the keeper's thread, which outlives the keeper while such a call lasts
+  /// @param patience_s  time for which a write may last
+  ProgressKeeper(Write write, double patience_s);
+  /// Waits for the last progress to be written, if the disk answers in time.
+  ~ProgressKeeper();
+  ProgressKeeper(const ProgressKeeper&) = delete;
+  ProgressKeeper& operator=(const ProgressKeeper&) = delete;
+
+  /// States the progress, in place of what was not written yet. Waits for nothing.
+  /// @param now  [s] since any fixed time
+  void keep(const JobProgress& progress, double now);
+  /// Whether anything is on disk.
+  bool hasWritten() const;
+  /// Why the file is not written any more; empty if it is.
+  std::string failure(double now);
+
+ private:
+  /// What the thread works on. It outlives the keeper if the disk does not answer, since a thread that waits
+  /// for a disk cannot be ended.
+  struct Shared {
+    Write write;       ///< of the thread alone
+    std::mutex mutex;  ///< of everything below
+    std::condition_variable has_changed;
+    std::optional<JobProgress> wanted;  ///< what is not being written yet
+    double wanted_s = 0.0;              ///< [s] when it was stated
+    std::optional<double> since_s;      ///< [s] when what is being written was stated
+    bool has_written = false;
+    bool is_over = false;
+    bool has_ended = false;  ///< the thread
+    std::string failure;
+  };
+
+  static void run(Shared& shared);
+  static void writeAll(Shared& shared);
+
+  const double patience_s_;
+  std::shared_ptr<Shared> shared_;
+  bool is_given_up_ = false;  ///< the disk was waited for in vain
+  std::thread thread_;
+};
+
+}  // namespace lamina
