@@ -150,11 +150,14 @@ void writeReport(const MachineCheck& check, const std::string& file) {
   writeFile(file, text);
 }
 
+/// Before anything else is in memory beside the text.
+std::optional<EarlyEnd> earlyEndOf(const std::string& input) {
+  return isGcodeFile(input) ? earlyEnd(readTextFile(input)) : std::nullopt;
+}
+
 /// At the last waypoint that is there.
-std::optional<Finding> earlyEndOf(const std::string& input, const KinematicModelRun& run) {
-  if (!isGcodeFile(input) || run.path.at.empty()) return std::nullopt;
-  const std::optional<EarlyEnd> end = earlyEnd(readTextFile(input));
-  if (!end) return std::nullopt;
+std::optional<Finding> findingOf(const std::optional<EarlyEnd>& end, const KinematicModelRun& run) {
+  if (!end || run.path.at.empty()) return std::nullopt;
   const WaypointIndex& last = run.path.at.back();
   const Point3& tip = run.toolpath().layers[last.layer].paths[last.path].points[last.waypoint];
   return Finding{run.divided.originalOf(last), tip, "ends early", end->reason, end->line};
@@ -163,10 +166,11 @@ std::optional<Finding> earlyEndOf(const std::string& input, const KinematicModel
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
   const CheckedMachine machine(model);
+  const std::optional<EarlyEnd> end = earlyEndOf(input);
   KinematicModelRun run = runOfInput(machine, input, settings, progress);
   Checked checked;
   checked.check = checkRun(run, machine, settings.clearance, progress);
-  checked.early_end = earlyEndOf(input, run);
+  checked.early_end = findingOf(end, run);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
   if (!run.path.isRunnable()) return checked;
   checked.timed = inTime(std::move(run), model, runSettings(settings).timing);

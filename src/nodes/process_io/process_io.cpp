@@ -211,11 +211,14 @@ void ProcessIo::onTrajectory(const lamina_msgs::ProcessTrajectory& message) {
   for (const lamina_msgs::ProcessPoint& point : message.points)
     chunk.points.push_back({begin_s + point.time_from_start.toSec(), fromMessage(point)});
   chunk.valid_until_s = begin_s + message.valid_for.toSec();
-  const std::lock_guard<std::mutex> lock(mutex_);
   try {
-    bridge_.accept(chunk, clock_.now());
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      bridge_.accept(chunk, clock_.now());
+    }
+    // The outputs do not wait for a warning to be written.
     const double hold_s = chunk.valid_until_s - chunk.points.back().time_s;
-    if (hold_s > ProcessPlan::kLongestHold)
+    if (hold_s > ProcessPlan::kLongestHold + ProcessPlan::kMeet)
       ROS_WARN_STREAM_THROTTLE(
           kQuiet, "a process trajectory is valid for "
                       << numberText(hold_s) << " s behind its last point; expected at most "

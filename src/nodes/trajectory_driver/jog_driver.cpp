@@ -72,7 +72,8 @@ void JogDriver::block(const std::function<bool()>& is_cancelled) {
   while (!isOver((ros::Time::now() - begin).toSec(), is_cancelled())) ros::WallDuration(kBlockLook).sleep();
 }
 
-/// Whether the jog that a job waits for is over; it is then no more.
+/// Whether the jog that a job waits for is over; it is then no more. One that is stopped remains until the
+/// controller is at rest: the next job waits for that.
 bool JogDriver::isOver(double waited_s, bool is_cancelled) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = ros::Time::now();
@@ -82,8 +83,10 @@ bool JogDriver::isOver(double waited_s, bool is_cancelled) {
     if (!isJogOver({is_at_rest, is_cancelled}, waited_s)) return false;
   } catch (const Error&) {
     // Whoever stops a job expects a machine that stops, and at once.
-    if (!is_at_rest) links_.controller.cancel();
-    jog_.reset();
+    if (is_at_rest)
+      jog_.reset();
+    else
+      links_.controller.cancel();
     tell(now);
     throw;
   }

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <future>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 #include "lamina/base/clock.hpp"
@@ -77,6 +79,17 @@ TEST(ProgressKeeper, SaysWhyADiskFails) {
   while (keeper.failure(0.0).empty()) std::this_thread::yield();
   EXPECT_EQ(keeper.failure(0.0), "no space left");
   EXPECT_FALSE(keeper.hasWritten());
+}
+
+TEST(ProgressKeeper, SurvivesWhatAFileSystemThrows) {
+  ProgressKeeper keeper(
+      [](const JobProgress&) {
+        throw std::filesystem::filesystem_error("looking", std::make_error_code(std::errc::io_error));
+      },
+      kNeverWaited);
+  keeper.keep(takenThrough(1), 0.0);
+  while (keeper.failure(0.0).empty()) std::this_thread::yield();
+  EXPECT_NE(keeper.failure(0.0).find("Input/output error"), std::string::npos) << keeper.failure(0.0);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(ServerAnswers, SayWhichNumberIsNone) {
 }
 
 /// What a Moonraker makes of a report with that status of the printer.
-std::unique_ptr<PrintServer> moonrakerTold(json changes) {
+std::unique_ptr<PrintServer> moonrakerTold(const json& changes) {
   auto server = makeMoonraker(test::orderOf("G1 X1\nG1 X2\n"));
   json status = {{"webhooks", {{"state", "ready"}}},
                  {"print_stats", {{"state", "printing"}, {"filename", test::kOurFile}}},

@@ -326,6 +326,15 @@ TEST_P(UploadJobTest, NeverStartsTwice) {
   }
 }
 
+/// The time to begin counts from the answer: the request may have waited for the progress file before.
+TEST_P(UploadJobTest, AStartThatWasLongUnderWayIsStillAwaited) {
+  SimulatedHttp link = this->link("G1 X1\nG1 X2\n");
+  link.late_words = {"print/start", "M32"};
+  link.faults.late_s = 15.0;  // the request is given up after 10 s
+  link.run();
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+}
+
 TEST_P(UploadJobTest, AStartThatComesTooLateComesToNothing) {
   SimulatedHttp link = this->link("G1 X1\nG1 X2\n");
   link.late_words = {"print/start", "M32"};

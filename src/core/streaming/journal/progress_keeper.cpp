@@ -3,9 +3,9 @@
 #include "streaming/journal/progress_keeper.hpp"
 
 #include <chrono>
+#include <exception>
 #include <utility>
 
-#include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 
 namespace lamina {
@@ -52,7 +52,7 @@ void ProgressKeeper::writeAll(Shared& shared) {
     std::string failure;
     try {
       shared.write(progress);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {  // of a file system too: the process must outlive a bad disk
       failure = error.what();
     }
     lock.lock();

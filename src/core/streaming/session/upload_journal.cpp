@@ -38,7 +38,8 @@ UploadJournal::Writer fileWriter(const StreamJournal& where) {
 
 }  // namespace
 
-UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
+UploadJournal::UploadJournal(const StreamJournal& where, const StreamableProgram& program,
+                             const std::string& port)
     : UploadJournal(where, program, port, fileWriter(where)) {}
 
 UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,

@@ -21,7 +21,7 @@ class UploadJournal {
   using Writer = std::function<ProgressKeeper::Write(const JournalledJob& job)>;
 
   /// @throws FileError if the program is gone
-  UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port);
+  UploadJournal(const StreamJournal& where, const StreamableProgram& program, const std::string& port);
   /// With another way to write than to the file.
   UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                 Writer writer);

@@ -186,7 +186,8 @@ void UploadJob::onDone(UploadStep step, double now) {
       return;
     case UploadStep::Start:
       phase_ = Phase::Follow;
-      heard_at_ = now;
+      // The request may have waited for the progress file before it was sent.
+      heard_at_ = started_at_ = now;
       return;
     case UploadStep::Remove:
       return onRemoved();
@@ -228,7 +229,7 @@ void UploadJob::onTrouble(UploadStep step, const Failure& why, Arrival arrival, 
       if (arrival != Arrival::Never && step == UploadStep::Start) {
         // It may print all the same: the machine is asked.
         phase_ = Phase::Follow;
-        heard_at_ = now;
+        heard_at_ = started_at_ = now;
         return;
       }
       may_be_started_ = false;
