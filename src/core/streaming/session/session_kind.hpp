@@ -68,6 +68,6 @@ class SessionRecord {
 /// @throws Disconnected, FileError, InvalidProgram, InvalidInput, InvalidConfig
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
                                          const MachinePort& port, StreamSession::Observer observer,
-                                         SessionOptions options);
+                                         const SessionOptions& options);
 
 }  // namespace lamina

@@ -329,7 +329,7 @@ StreamSession::StreamSession(const StreamableProgram& program, const StreamSetti
                              : " prints by itself what it was sent whole") +
                         "; expected a job from its first line, sent line by line, for corrections");
   if (isPrintServer(port)) {
-    kind_ = beginUpload(program, settings, port, std::move(observer), std::move(options));
+    kind_ = beginUpload(program, settings, port, std::move(observer), options);
   } else {
     kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(options));
   }

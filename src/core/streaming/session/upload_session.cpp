@@ -75,9 +75,9 @@ std::shared_ptr<const UploadOrder> orderFor(const StreamableProgram& program, co
 class UploadSession final : public SessionKind {
  public:
   UploadSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                StreamSession::Observer observer, SessionOptions options)
+                StreamSession::Observer observer, const SessionOptions& options)
       : record_(port.name, std::move(observer)),
-        journal_(std::move(options.journal), program, port.name),
+        journal_(options.journal, program, port.name),
         order_(orderFor(program, settings, options.start)),
         job_(settings, order_),
         client_(context_, httpAddressOf(port.name), events()),
@@ -183,8 +183,8 @@ class UploadSession final : public SessionKind {
 
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
                                          const MachinePort& port, StreamSession::Observer observer,
-                                         SessionOptions options) {
-  return std::make_unique<UploadSession>(program, settings, port, std::move(observer), std::move(options));
+                                         const SessionOptions& options) {
+  return std::make_unique<UploadSession>(program, settings, port, std::move(observer), options);
 }
 
 }  // namespace lamina
