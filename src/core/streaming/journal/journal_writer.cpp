@@ -3,10 +3,10 @@
 #include "streaming/journal/journal_writer.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/base/number_text.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
@@ -29,61 +29,10 @@ JournalWriter::JournalWriter(Write write, const JobProgress& known, std::uint64_
                              double patience_s)
     : lines_total_(lines_total),
       taken_before_(known.taken_through),
-      patience_(patience_s),
       ahead_(kLeastAhead),
       measured_from_(known.taken_through),
       asked_(known),
-      shared_(std::make_shared<Shared>()) {
-  shared_->write = std::move(write);
-  shared_->wanted = known;
-  shared_->kept_sent = known.sent_through;
-  thread_ = std::thread([shared = shared_] { run(*shared); });
-}
-
-JournalWriter::~JournalWriter() {
-  std::unique_lock<std::mutex> lock(shared_->mutex);
-  shared_->is_over = true;
-  shared_->has_changed.notify_all();
-  const auto hasEnded = [this] { return shared_->has_ended; };
-  const bool has_ended = !is_stuck_ && shared_->has_changed.wait_for(lock, patience_, hasEnded);
-  lock.unlock();
-  if (has_ended)
-    thread_.join();
-  else
-    thread_.detach();
-}
-
-void JournalWriter::run(Shared& shared) {
-  writeAll(shared);
-  {
-    const std::lock_guard<std::mutex> lock(shared.mutex);
-    shared.has_ended = true;
-  }
-  shared.has_changed.notify_all();
-}
-
-/// Until the writer is over, or the disk fails.
-void JournalWriter::writeAll(Shared& shared) {
-  std::unique_lock<std::mutex> lock(shared.mutex);
-  while (true) {
-    shared.has_changed.wait(lock, [&shared] { return shared.is_outdated || shared.is_over; });
-    if (!shared.is_outdated) return;
-    shared.is_outdated = false;
-    const JobProgress progress = shared.wanted;
-    lock.unlock();
-    std::string failure;
-    try {
-      shared.write(progress);
-    } catch (const Error& error) {
-      failure = error.what();
-    }
-    lock.lock();
-    shared.failure = failure;
-    if (failure.empty()) shared.kept_sent = progress.sent_through;
-    shared.has_changed.notify_all();
-    if (!failure.empty()) return;
-  }
-}
+      keeper_(std::move(write), patience_s, known) {}
 
 /// How many lines leave in the time that the file is ahead.
 void JournalWriter::measureRate(std::uint64_t sent, double now) {
@@ -115,28 +64,18 @@ void JournalWriter::record(const StreamStatus& status, double now) {
       progress.state != asked_.state) {
     next_acknowledgement_ = now + kAcknowledgementInterval;
     asked_ = progress;
-    {
-      const std::lock_guard<std::mutex> lock(shared_->mutex);
-      shared_->wanted = progress;
-      shared_->is_outdated = true;
-    }
-    shared_->has_changed.notify_all();
+    keeper_.keep(progress, now);
   }
   require(status.lines_sent);
 }
 
 void JournalWriter::require(std::uint64_t sent) {
-  std::unique_lock<std::mutex> lock(shared_->mutex);
-  const auto isAnswered = [&] { return shared_->kept_sent >= sent || !shared_->failure.empty(); };
-  is_stuck_ = !shared_->has_changed.wait_for(lock, patience_, isAnswered);
-  if (!is_stuck_ && shared_->failure.empty()) return;
-  has_failed_ = true;
-  if (!is_stuck_) throw FileError(shared_->failure);
-  // What is known by then is old when the disk answers.
-  shared_->is_outdated = false;
-  shared_->is_over = true;
-  throw FileError("the progress file was not written within " + numberText(patience_.count()) +
-                  " s: its disk does not answer");
+  try {
+    keeper_.await([sent](const JobProgress& written) { return written.sent_through >= sent; });
+  } catch (const FileError&) {
+    has_failed_ = true;
+    throw;
+  }
 }
 
 }  // namespace lamina

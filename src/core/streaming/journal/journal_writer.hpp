@@ -2,38 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <cstdint>
-#include <functional>
-#include <memory>
-#include <mutex>
-#include <string>
-#include <thread>
 
 #include "lamina/streaming/job/stream_job.hpp"
 #include "streaming/journal/progress_file.hpp"
+#include "streaming/journal/progress_keeper.hpp"
 
 namespace lamina {
 
 /// Writes a progress file in a thread of its own. The file announces lines before they are sent: 256 lines
 /// ahead or the number sent in the last 0.2 s, whichever is more. The streamer waits for the disk only before
 /// it sends lines beyond those announced, and not for ever: it has a machine to stop. Acknowledged lines are
-/// written ten times a second and at the end of layers.
+/// written ten times a second and at the end of layers. The end of the writer writes the last progress, if
+/// the disk answers in time.
 class JournalWriter {
  public:
-  /// Function that returns once the progress is on disk.
-  /// @throws FileError
-  using Write = std::function<void(const JobProgress& progress)>;
+  using Write = ProgressKeeper::Write;
 
   JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total);
   /// @param write  called in the writer's thread, which outlives the writer while such a call lasts
   /// @param patience_s  time that the disk is waited for
   JournalWriter(Write write, const JobProgress& known, std::uint64_t lines_total, double patience_s);
-  /// Writes the last progress, if the disk answers in time.
-  ~JournalWriter();
-  JournalWriter(const JournalWriter&) = delete;
-  JournalWriter& operator=(const JournalWriter&) = delete;
 
   /// Returns when the file announces all lines that the status counts as sent; to be called before they are
   /// sent.
@@ -43,37 +32,18 @@ class JournalWriter {
   void record(const StreamStatus& status, double now);
 
  private:
-  /// What the thread works on. It outlives the writer if the disk does not answer, since a thread that waits
-  /// for a disk cannot be ended.
-  struct Shared {
-    Write write;       ///< of the thread alone
-    std::mutex mutex;  ///< of everything below
-    std::condition_variable has_changed;
-    JobProgress wanted;
-    bool is_outdated = false;  ///< whether the file lacks the last progress
-    bool is_over = false;
-    bool has_ended = false;       ///< the thread
-    std::uint64_t kept_sent = 0;  ///< number of sent lines that the file states
-    std::string failure;
-  };
-
-  static void run(Shared& shared);
-  static void writeAll(Shared& shared);
   void measureRate(std::uint64_t sent, double now);
   void require(std::uint64_t sent);
 
   const std::uint64_t lines_total_;
   const std::uint64_t taken_before_;  ///< number of lines acknowledged in earlier sessions
-  const std::chrono::duration<double> patience_;
   std::uint64_t ahead_;
   std::uint64_t measured_from_;      ///< lines sent at measured_since_
   double measured_since_ = -1.0;     ///< [s]; negative before the first call
   double next_acknowledgement_ = 0;  ///< [s]
   JobProgress asked_;                ///< the last progress passed to the thread
   bool has_failed_ = false;
-  bool is_stuck_ = false;  ///< the disk was waited for in vain
-  std::shared_ptr<Shared> shared_;
-  std::thread thread_;
+  ProgressKeeper keeper_;
 };
 
 }  // namespace lamina

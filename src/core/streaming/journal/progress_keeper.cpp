@@ -6,21 +6,21 @@
 #include <exception>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 
 namespace lamina {
 
-ProgressKeeper::ProgressKeeper(Write write, double patience_s)
+ProgressKeeper::ProgressKeeper(Write write, double patience_s, const std::optional<JobProgress>& written)
     : patience_s_(patience_s), shared_(std::make_shared<Shared>()) {
   shared_->write = std::move(write);
+  shared_->written = written;
   thread_ = std::thread([shared = shared_] { run(*shared); });
 }
 
 ProgressKeeper::~ProgressKeeper() {
   std::unique_lock<std::mutex> lock(shared_->mutex);
   shared_->is_over = true;
-  // What is known by then is old when the disk answers.
-  if (is_given_up_) shared_->wanted.reset();
   shared_->has_changed.notify_all();
   const std::chrono::duration<double> patience(is_given_up_ ? 0.0 : patience_s_);
   const bool has_ended = shared_->has_changed.wait_for(lock, patience, [this] { return shared_->has_ended; });
@@ -58,13 +58,15 @@ void ProgressKeeper::writeAll(Shared& shared) {
     lock.lock();
     shared.since_s.reset();
     shared.failure = failure;
-    shared.has_written = shared.has_written || failure.empty();
+    if (failure.empty()) shared.written = progress;
+    shared.has_changed.notify_all();
   }
 }
 
 void ProgressKeeper::keep(const JobProgress& progress, double now) {
   {
     const std::lock_guard<std::mutex> lock(shared_->mutex);
+    if (is_given_up_) return;
     shared_->wanted = progress;
     shared_->wanted_s = now;
   }
@@ -73,14 +75,31 @@ void ProgressKeeper::keep(const JobProgress& progress, double now) {
 
 bool ProgressKeeper::hasWritten() const {
   const std::lock_guard<std::mutex> lock(shared_->mutex);
-  return shared_->has_written;
+  return shared_->written.has_value();
 }
 
 std::string ProgressKeeper::failure(double now) {
   const std::lock_guard<std::mutex> lock(shared_->mutex);
   if (!shared_->failure.empty()) return shared_->failure;
   if (!shared_->since_s || now - *shared_->since_s <= patience_s_) return {};
+  return giveUp();
+}
+
+void ProgressKeeper::await(const std::function<bool(const JobProgress& written)>& isEnough) {
+  std::unique_lock<std::mutex> lock(shared_->mutex);
+  const auto isAnswered = [&] {
+    return !shared_->failure.empty() || (shared_->written && isEnough(*shared_->written));
+  };
+  if (!shared_->has_changed.wait_for(lock, std::chrono::duration<double>(patience_s_), isAnswered))
+    throw FileError(giveUp());
+  if (!shared_->failure.empty()) throw FileError(shared_->failure);
+}
+
+/// The mutex is held.
+std::string ProgressKeeper::giveUp() {
   is_given_up_ = true;
+  // What is known by then is old when the disk answers.
+  shared_->wanted.reset();
   return "the progress file was not written within " + numberText(patience_s_) +
          " s: its disk does not answer";
 }

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Keeps the latest progress on disk, in a thread of its own: whoever states it waits for no disk, since it
-/// has a machine to stop.
+/// Keeps the latest progress on disk, in a thread of its own: whoever states it waits for no disk but in
+/// `await`, and there not for ever, since it has a machine to stop.
 class ProgressKeeper {
  public:
   /// Function that returns once the progress is on disk.
@@ -24,7 +24,8 @@ class ProgressKeeper {
 
   /// @param write  called in the keeper's thread, which outlives the keeper while such a call lasts
   /// @param patience_s  time for which a write may last
-  ProgressKeeper(Write write, double patience_s);
+  /// @param written  progress that is on disk already; nothing if there is none
+  ProgressKeeper(Write write, double patience_s, const std::optional<JobProgress>& written = {});
   /// Waits for the last progress to be written, if the disk answers in time.
   ~ProgressKeeper();
   ProgressKeeper(const ProgressKeeper&) = delete;
@@ -37,6 +38,9 @@ class ProgressKeeper {
   bool hasWritten() const;
   /// Why the file is not written any more; empty if it is.
   std::string failure(double now);
+  /// Returns when the progress on disk is enough.
+  /// @throws FileError if the file cannot be written, or not in time; nothing is written from then on
+  void await(const std::function<bool(const JobProgress& written)>& isEnough);
 
  private:
   /// What the thread works on. It outlives the keeper if the disk does not answer, since a thread that waits
@@ -48,7 +52,7 @@ class ProgressKeeper {
     std::optional<JobProgress> wanted;  ///< what is not being written yet
     double wanted_s = 0.0;              ///< [s] when it was stated
     std::optional<double> since_s;      ///< [s] when what is being written was stated
-    bool has_written = false;
+    std::optional<JobProgress> written;
     bool is_over = false;
     bool has_ended = false;  ///< the thread
     std::string failure;
@@ -56,6 +60,7 @@ class ProgressKeeper {
 
   static void run(Shared& shared);
   static void writeAll(Shared& shared);
+  std::string giveUp();
 
   const double patience_s_;
   std::shared_ptr<Shared> shared_;
