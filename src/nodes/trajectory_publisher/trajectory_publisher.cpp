@@ -133,6 +133,11 @@ JointPositions positionsIn(const sensor_msgs::JointState& state) {
   return positions;
 }
 
+TfBroadcast::LastPositions lastPositionsIn(TrajectoryMode mode) {
+  return mode == TrajectoryMode::Follow ? TfBroadcast::LastPositions::Kept
+                                        : TfBroadcast::LastPositions::Dropped;
+}
+
 /// A service that does one thing.
 template <class Action>
 ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Action action) {
@@ -152,7 +157,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
     : settings_(settings),
       model_(kinematicModelOf(settings.machine)),
       linear_(linearMachine(*model_)),
-      tf_(node, described(*model_, node), settings.mode) {
+      tf_(node, described(*model_, node), lastPositionsIn(settings.mode)) {
   advertise(node);
   toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
   if (!settings_.load_program.empty()) load(settings_.load_program);

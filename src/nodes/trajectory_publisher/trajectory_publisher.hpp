@@ -15,7 +15,7 @@
 #include "messages.hpp"
 #include "playback.hpp"
 #include "publisher_settings.hpp"
-#include "tf_broadcast.hpp"
+#include "tf/tf_broadcast.hpp"
 
 namespace lamina {
 

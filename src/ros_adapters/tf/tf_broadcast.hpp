@@ -9,7 +9,6 @@
 
 #include <string>
 
-#include "publisher_settings.hpp"
 #include "tf/machine_transforms.hpp"
 
 namespace lamina {
@@ -17,9 +16,13 @@ namespace lamina {
 /// Sends the frames of a machine and of the part on its bed to tf.
 class TfBroadcast {
  public:
+  /// Whether a listener that comes later gets the last positions of the links that move. A machine at rest
+  /// reports nothing more; a toolpath that is played is repeated in time.
+  enum class LastPositions { Dropped, Kept };
+
   /// Sends the links that never move, and the frame `world` as the parent of the machine's root.
   /// @throws InvalidConfig if it is no URDF
-  TfBroadcast(ros::NodeHandle& node, const std::string& urdf, TrajectoryMode mode);
+  TfBroadcast(ros::NodeHandle& node, const std::string& urdf, LastPositions last);
 
   const MachineTransforms& machine() const { return machine_; }
   /// Sends the frame `part` as a child of `bed`.

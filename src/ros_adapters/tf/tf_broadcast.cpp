@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tf_broadcast.hpp"
+#include "tf/tf_broadcast.hpp"
 
 #include <tf2_msgs/TFMessage.h>
 
@@ -29,14 +29,13 @@ geometry_msgs::TransformStamped frame(const std::string& parent, const std::stri
 
 }  // namespace
 
-TfBroadcast::TfBroadcast(ros::NodeHandle& node, const std::string& urdf, TrajectoryMode mode)
+TfBroadcast::TfBroadcast(ros::NodeHandle& node, const std::string& urdf, LastPositions last)
     : machine_(urdf) {
   auto fixed = machine_.fixed(ros::Time::now());
   if (machine_.rootLink() != names::kWorldFrame)
     fixed.push_back(frame(names::kWorldFrame, machine_.rootLink(), toMessage(Eigen::Isometry3d::Identity())));
   fixed_.sendTransform(fixed);
-  // A machine at rest reports nothing more to those who come later.
-  moving_ = node.advertise<tf2_msgs::TFMessage>("/tf", kUnbounded, mode == TrajectoryMode::Follow);
+  moving_ = node.advertise<tf2_msgs::TFMessage>("/tf", kUnbounded, last == LastPositions::Kept);
 }
 
 void TfBroadcast::sendPart(const geometry_msgs::Pose& bed_from_part) {
