@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "process_queue.hpp"
 
+#include <algorithm>
+
 #include "joint_messages.hpp"
+#include "lamina/process_io/process_plan.hpp"
 #include "stamps.hpp"
 
 namespace lamina {
@@ -12,6 +15,9 @@ void ProcessQueue::accept(const lamina_msgs::ProcessTrajectory& message) {
   for (const auto& point : message.points)
     points_.push_back({stampAfter(message.header.stamp, point.time_from_start), fromMessage(point)});
   valid_until_ = stampAfter(message.header.stamp, message.valid_for);
+  if (message.points.empty()) return;
+  const ros::Time last = stampAfter(message.header.stamp, message.points.back().time_from_start);
+  valid_until_ = std::min(valid_until_, stampAfter(last, ros::Duration(ProcessPlan::kLongestHold)));
 }
 
 ProcessSignals ProcessQueue::at(const ros::Time& now) {

@@ -12,7 +12,8 @@ namespace lamina {
 /// The process as it was sent ahead. Times are those of ROS.
 class ProcessQueue {
  public:
-  /// Takes the place of what was sent for its stamp and later.
+  /// Takes the place of what was sent for its stamp and later. It holds for at most
+  /// `ProcessPlan::kLongestHold` behind its last point, whatever it states.
   void accept(const lamina_msgs::ProcessTrajectory& message);
   /// Safe before the first point and once what was sent last has run out.
   ProcessSignals at(const ros::Time& now);

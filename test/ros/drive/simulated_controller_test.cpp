@@ -73,8 +73,9 @@ class Controlled {
     message.points.resize(2);
     message.points[0].flow = message.points[1].flow = 1e-9;
     message.points[1].time_from_start = message.valid_for;
-    process_.publish(message);
+    sendProcess(message);
   }
+  void sendProcess(const lamina_msgs::ProcessTrajectory& message) { process_.publish(message); }
   GoalState ends() {
     EXPECT_TRUE(waitUntil([&] { return client_.getState().isDone(); }));
     return client_.getState();
@@ -115,6 +116,26 @@ TEST(SimulatedController, AGoalFromRestThatComesLateBeginsLateAndItsProcessWithI
   EXPECT_LE(controlled.stamps.size(), 23U);
   EXPECT_NEAR((controlled.stamps.front() - begin).toSec(), 0.0, 0.051);
   EXPECT_NEAR((controlled.stamps[1] - controlled.stamps[0]).toSec(), 0.05, 1e-6);
+}
+
+TEST(SimulatedController, ProcessValuesAreHeldForHalfASecondBehindTheirLastPoint) {
+  Controlled controlled("patient");
+  ASSERT_TRUE(controlled.isReady());
+  const ros::Time begin = ros::Time::now();
+  const std::size_t before = controlled.states.size();
+  lamina_msgs::ProcessTrajectory message;
+  message.header.stamp = begin;
+  message.valid_for = ros::Duration(3600.0);
+  message.points.resize(1);
+  message.points[0].flow = 1e-9;
+  controlled.sendProcess(message);
+  controlled.send(begin, 0.0, 10.0);
+  ASSERT_EQ(controlled.ends(), GoalState::SUCCEEDED) << controlled.reason();
+  const ros::Time end = begin + ros::Duration(kLong);
+  ASSERT_TRUE(waitUntil([&] { return controlled.states.back().header.stamp >= end; }));
+  // 20 reports a second: those of the first half of a goal of 1 s.
+  EXPECT_GE(controlled.flowing(before), 9U);
+  EXPECT_LE(controlled.flowing(before), 11U);
 }
 
 TEST(SimulatedController, AGoalWaitsForItsProcess) {
