@@ -54,6 +54,32 @@ TEST(DividedJointPath, DividesUntilTheToleranceIsKept) {
   EXPECT_EQ(found.joints.at.size(), found.divided.toolpath.layers[0].paths[0].points.size());
 }
 
+// On the way into the singularity and out of it the joint leads the tip already, 5.7 mm from its axis: of 80
+// deg none may be left for there, where each finer step would have all of it at its end again.
+TEST(DividedJointPath, TurnsATableWhereTheToolAxisIsAlongItsAxisHoweverShortThatIs) {
+  const auto head = kinematicModelByName("five_axis_head_table");
+  const auto leaning = [](double azimuth_deg, double tilt_deg) {
+    const Eigen::AngleAxisd azimuth(azimuth_deg * M_PI / 180.0, Point3::UnitZ());
+    const Eigen::AngleAxisd tilt(tilt_deg * M_PI / 180.0, azimuth * Point3::UnitY());
+    return Eigen::Quaterniond(tilt * azimuth) * nozzleDown();
+  };
+  Path path;
+  path.role = PathRole::OuterWall;
+  path.points = {{5.5, -2.0, 8.0}, {5.7, -1.0, 8.0}, {5.7, -0.07, 8.0},
+                 {5.7, 0.07, 8.0}, {5.7, 1.0, 8.0},  {5.5, 2.0, 8.0}};
+  path.orientation = AlongPath<Eigen::Quaterniond>({leaning(-40.0, 2.0), leaning(-40.0, 1.0), nozzleDown(),
+                                                    nozzleDown(), leaning(40.0, 1.0), leaning(40.0, 2.0)});
+  path.bead = Bead{1.6, 0.8};
+  path.feed_mm_s = 30.0;
+  Toolpath toolpath;
+  toolpath.layers.push_back({8.0, 0.8, {path}});
+  NoProgress progress;
+  const DividedJointPath found =
+      planDividedJointPath(toolpath, Eigen::Isometry3d::Identity(), *head, JointPathSettings(), progress);
+  ASSERT_TRUE(found.joints.isRunnable()) << found.joints.faults[0].reason;
+  EXPECT_LE(found.greatest.tip_mm, JointPathSettings().division.tip_tolerance_mm);
+}
+
 // Rungs that are kept from one division to the next are those that would be solved again.
 TEST(DividedJointPath, IsThePathOfTheDividedToolpathPlannedByItself) {
   const auto arm = kinematicModelByName("irb_4600");

@@ -15,8 +15,11 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kStandingStill =
-    100.0;                    // times as dear, where a free joint may turn before or after instead
-constexpr int kRowReach = 1;  // rows from a rung to the next: the redundancy turns slowly
+    100.0;  // times as dear, where a free joint may turn before or after instead
+/// Times as dear to turn a joint on the way into a singularity or out of it: however finely this way is
+/// divided, the joint would turn on its one end, and lead the tip off it. Within, waypoints leave it free.
+constexpr double kIntoSingularity = 20.0;
+constexpr int kRowReach = 1;                    // rows from a rung to the next: the redundancy turns slowly
 constexpr std::size_t kMostTravelEdges = 4096;  // some 50 µs: little beside solving both rungs
 
 bool exists(const Rung& rung, std::size_t slot) { return rung.penalty[slot] < kNever; }
@@ -107,13 +110,24 @@ void LadderSearch::tryEdge(const Target& target, const Departure& from, Reached&
   if (target.rung.kind == SampleKind::Yaw) turns += yawCost(from.in_row, target.in_row);
   double cost = cost_[from.slot] + turns / motion.duration_s;
   if (!(cost < best.cost)) return;
-  const bool is_free = target.rung.kind == SampleKind::FreeJoint || before_.kind == SampleKind::FreeJoint;
-  if (is_free && standsStill(start, end, motion)) {
+  const bool is_into = target.rung.kind == SampleKind::FreeJoint;
+  const bool is_from = before_.kind == SampleKind::FreeJoint;
+  if (is_into != is_from && motion.way == StationWay::Deposition)
+    cost += kIntoSingularity * turns / motion.duration_s;
+  if ((is_into || is_from) && standsStill(start, end, motion))
     cost += kStandingStill * turns / motion.duration_s;
-    if (!(cost < best.cost)) return;
-  }
+  if (!(cost < best.cost)) return;
   if (branchOf(from.id) != target.branch && !crossing_(start, end)) return;
   best = {cost, from.id};
+}
+
+/// How many samples of a row a rung alike may be away. With `yaw_reach` alone, half a turn takes so many
+/// rungs that a joint which is free for fewer would turn at their ends, where the tool axis is led by it
+/// already.
+int LadderSearch::reachOf(const Rung& rung) const {
+  const int per_row = samplesPerRow(rung);
+  const bool is_short_of_room = free_rungs_ * settings_.yaw_reach < per_row / 2;
+  return rung.kind == SampleKind::FreeJoint && is_short_of_room ? per_row : settings_.yaw_reach;
 }
 
 void LadderSearch::reach(const Target& target, Reached& best) const {
@@ -121,7 +135,7 @@ void LadderSearch::reach(const Target& target, Reached& best) const {
   const bool is_alike = areAlike(before_, target.rung);
   const int sample = sampleOf(target.rung.idOf(target.slot));
   const Window rows = windowAbout(sample / per_row, before_.rows, is_alike ? kRowReach : before_.rows);
-  const Window in_row = windowAbout(sample % per_row, per_row, is_alike ? settings_.yaw_reach : per_row);
+  const Window in_row = windowAbout(sample % per_row, per_row, is_alike ? reachOf(before_) : per_row);
   for (int r = 0; r < rows.count; ++r) {
     const int row = (rows.first + r) % before_.rows;
     for (int s = 0; s < in_row.count; ++s)
@@ -211,6 +225,7 @@ LadderSearch::Link LadderSearch::advance(Rung rung, const StationMotion& motion)
     cost_[slot] = before + rung.penalty[slot] * motion.duration_s;
     back_.push_back(reached[slot].from);
   }
+  free_rungs_ = rung.kind == SampleKind::FreeJoint ? free_rungs_ + 1 : 0;
   before_ = std::move(rung);
   if (is_first) return Link::Start;
   return is_joined ? Link::Joined : Link::Cut;

@@ -25,8 +25,8 @@ using SteadyCrossing = std::function<bool(const double* from, const double* to)>
 /// squared turn of the yaw, over the duration of the motion, plus the penalty of the node at its end times
 /// the duration. Two nodes are joined
 /// - within a branch, if their samples are at most `yaw_reach` and one row apart and, except on a travel, no
-/// joint turns
-///   by more than `max_turn_deg`;
+///   joint turns by more than `max_turn_deg`. A joint that is free for a few rungs only may turn to any
+///   sample there: it has no other place to turn in;
 /// - between branches, if the crossing is steady and samples are not yaws;
 /// - on a clear travel always, at `branch_change_cost`; if nodes are so many that this would take long, only
 ///   from the cheapest node of each branch.
@@ -86,6 +86,7 @@ class LadderSearch {
   double yawCost(int from, int to) const;
   void setYawCosts(const Rung& rung);
   void reachAll(const Rung& rung, const StationMotion& motion, std::vector<Reached>& reached) const;
+  int reachOf(const Rung& rung) const;
   void reach(const Target& target, Reached& best) const;
   void reachFrom(const Target& target, int sample, Reached& best) const;
   void tryEdge(const Target& target, const Departure& from, Reached& best) const;
@@ -103,6 +104,7 @@ class LadderSearch {
   std::vector<double> most_turn_;
   std::vector<double> yaw_costs_;  ///< by how many samples apart, of the newest rung of yaws
   Rung before_;
+  int free_rungs_ = 0;  ///< number of rungs of a free joint in a row, up to `before_`
   std::vector<double> cost_;
   std::vector<RungRecord> records_;
   std::vector<NodeId> back_;
