@@ -116,7 +116,6 @@ TEST(HeightController, ReplaysToTheSameBitsAtAnySpeedAndWithoutAMaster) {
   EXPECT_NE(expected[2], expected[3]);
   EXPECT_EQ(replayed(bag, wall.layers, "10"), expected);
   EXPECT_EQ(replayed(bag, wall.layers, "1"), expected);
-  EXPECT_LT(2.0 * offline["elapsed_s"].get<double>(), offline["recorded_s"].get<double>());
   EXPECT_NE(readFile(folder.file("estimate/correction_3.csv")).find(expected[3]), std::string::npos);
   const std::vector<FiledMap> maps = readCorrectionFiles(folder.file("estimate"));
   EXPECT_EQ(maps.size(), wall.layers);

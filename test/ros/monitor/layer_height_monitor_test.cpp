@@ -54,7 +54,10 @@ class LayerHeightMonitorNode : public ::testing::Test {
     await([] { return counted("toolpath") == test::twoPlates().id; });
     sendAll(to_);
     await([] { return layers_.size() == 2 && !image_.data.empty() && cloud_.width > 0; });
-    await([] { return counted("clouds malformed") == "1" && counted("clouds waiting") == "1"; });
+    await([] {
+      return counted("layers measured") == "2" && counted("clouds malformed") == "1" &&
+             counted("clouds waiting") == "1";
+    });
   }
 
   static void sendToolpath(const ros::Time& stamp) {
