@@ -23,6 +23,7 @@ struct SeparateCommand {
 };
 
 constexpr std::array kSeparateCommands = {
+    SeparateCommand{"alarms", "lamina-journal", kAlarmsDescription},
     SeparateCommand{"audit", "lamina-journal", kAuditDescription},
     SeparateCommand{"decide", "lamina-optimise", kDecideDescription},
     SeparateCommand{"estimate", "lamina-estimate", kEstimateDescription},

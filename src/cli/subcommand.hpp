@@ -38,6 +38,7 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 /// What `lamina --help` says of the subcommands of another executable.
+inline constexpr char kAlarmsDescription[] = "List the alarms of a cell, and what each asks for";
 inline constexpr char kAuditDescription[] =
     "Check whether rows of a cell's audit were edited, removed or added";
 inline constexpr char kDecideDescription[] = "Choose one point of a front by weights";
@@ -52,6 +53,7 @@ inline constexpr char kTokenDescription[] = "Tokens of the operator's page: make
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
+void addAlarms(CLI::App& app, Chosen& chosen);
 void addAudit(CLI::App& app, Chosen& chosen);
 void addCalibrate(CLI::App& app, Chosen& chosen);
 void addCheck(CLI::App& app, Chosen& chosen);

@@ -90,7 +90,7 @@ CALLS = [
     ("slice box --set slicing.mode=conformal --set slicing.base=FILE", (MESH,)),
     ("slice box --plugin FILE", ("",)),
 ]
-READS_NO_FILE = {"token", "emulate", "part", "profiles"}
+READS_NO_FILE = {"alarms", "token", "emulate", "part", "profiles"}
 
 
 class ForeignFiles(unittest.TestCase):

@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
-    return runCommandLine(argc, argv, {{"audit", addAudit}, {"record", addRecord}});
+    return runCommandLine(argc, argv, {{"alarms", addAlarms}, {"audit", addAudit}, {"record", addRecord}});
   } catch (...) {
     std::fputs("lamina: cannot start; out of memory?\n", stderr);
     return 1;

@@ -5,6 +5,9 @@
 #include "lamina/planning/plan_settings.hpp"
 #include "planning/travel/travel.hpp"
 
+/// \file
+/// Which travels are retracted: `travel` and `space_travel` mark them and lift the nozzle, `wipes` moves it
+/// on over the bead; `program/gcode/layer_writer` writes the retraction, by `program.retraction_*`.
 namespace lamina {
 
 /// Whether a straight travel of that length is retracted: beyond the threshold; over infill only beyond

@@ -16,6 +16,8 @@ namespace lamina {
 /// Lines sent to firmware that requests missing ones again, and its requests: which lines a request confirms,
 /// for how long nothing may be sent after it, and whether it can be followed.
 ///
+/// `MarlinJob` asks it what to do and goes back to the line (`onResend`); `job/line_feed` has the lines.
+///
 /// A probe is a line that the firmware must refuse, so that it names the line for which it waits.
 class MarlinResend {
  public:
