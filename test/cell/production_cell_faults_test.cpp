@@ -127,6 +127,39 @@ TEST(ProductionCell, KeepsTheJobOfAStreamerThatDiedWhetherItsMachineStopsAtOnceO
   }
 }
 
+/// Why the last execution was interrupted or ended, as its record has it.
+std::string reasonOf(Cell& cell, std::int64_t job) {
+  const auto execution = ExecutionLog(cell.journal()).ofJob(job);
+  return execution ? execution->reason : "no execution";
+}
+
+TEST(ProductionCell, KeepsWhyAJobWasCutOffOrEnded) {
+  const std::string lost = "2201 executor lost: no sign of life";
+  const std::string silent = "2202 executor does not answer: for 2 s";
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  cell.run().raise(2201, 0.0, "no sign of life", cell.now);
+  cell.run().raise(2202, 2.0, "for 2 s", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(reasonOf(cell, job), lost + "; then " + silent);
+  const auto open = cell.journal().open();
+  ASSERT_TRUE(open);
+  EXPECT_EQ(ExecutionLog(cell.journal()).gaps(open->id).back().reason, lost + "; then " + silent);
+  Cell failed;
+  const std::int64_t failed_job = bringToExecute(failed);
+  failed.executor.fail(3104, "the nozzle reads 400 degC");
+  ASSERT_TRUE(failed.reaches(UnitState::Aborted));
+  EXPECT_EQ(reasonOf(failed, failed_job), "3104 heater fault: the nozzle reads 400 degC");
+  Cell stopped;
+  const std::int64_t stopped_job = bringToExecute(stopped);
+  stopped.command(UnitCommand::Hold);
+  ASSERT_TRUE(stopped.reaches(UnitState::Held));
+  EXPECT_EQ(reasonOf(stopped, stopped_job), "1001 held by the operator: by anna");
+  stopped.command(UnitCommand::Stop);
+  ASSERT_TRUE(stopped.reaches(UnitState::Stopped));
+  EXPECT_EQ(reasonOf(stopped, stopped_job), "Stop by anna") << "it was not ended because it was held";
+}
+
 TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {
   Cell cell;
   bringToExecute(cell);

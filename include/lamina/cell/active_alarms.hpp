@@ -28,6 +28,9 @@ struct ActiveAlarm {
 /// Whether the alarm stays until its cause is gone and it is acknowledged: categories from Hold on.
 bool isLatched(const ActiveAlarm& alarm);
 
+/// The alarm in a sentence: number, what has happened, message.
+std::string sentenceOf(const ActiveAlarm& alarm);
+
 /// The active alarms of a unit, oldest first. An alarm below Hold is removed when its cause is gone; from
 /// Hold on it must also be acknowledged. The cause of an event is gone as soon as it was raised. So that
 /// somebody sees it, an event below Hold stays until it is acknowledged or the unit is reset.

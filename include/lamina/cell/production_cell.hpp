@@ -197,6 +197,7 @@ class ProductionCell {
   bool has_run_ = false;              ///< whether the job has run since the last start
   bool is_held_by_executor_ = false;  ///< whether the unit was held last since its executor paused by itself
   bool is_given_up_ = false;          ///< whether the job that ends is not to be offered for resuming
+  std::string end_reason_;            ///< why the unit was stopped or aborted last
   bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;

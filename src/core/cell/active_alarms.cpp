@@ -28,6 +28,11 @@ auto findAlarm(Alarms& alarms, int id) {
 
 bool isLatched(const ActiveAlarm& alarm) { return alarm.category >= AlarmCategory::Hold; }
 
+std::string sentenceOf(const ActiveAlarm& alarm) {
+  return std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
+         (alarm.message.empty() ? "" : ": " + alarm.message);
+}
+
 ActiveAlarms::Raised ActiveAlarms::raise(int id, double value, const std::string& message, double now_s) {
   const AlarmKind& kind = alarmKind(id);
   ActiveAlarm alarm{kind.id, kind.category, value, message, now_s, {}, {}, {}, 1};

@@ -119,6 +119,15 @@ UnitCounters countersOf(const std::map<std::string, double>& named, const std::v
   return counters;
 }
 
+/// Why a change ends a job: the alarm that stopped the unit first, and what ended the job if that is another.
+std::string endReason(const UnitChange& change, const std::optional<ActiveAlarm>& first) {
+  std::string last = change.reason;
+  if (last.empty() && change.command) last = std::string(toString(*change.command)) + " by " + change.source;
+  // What a person has held is not ended for that.
+  if (!first || first->category < AlarmCategory::Suspend || first->id == change.alarm) return last;
+  return sentenceOf(*first) + "; then " + last;
+}
+
 TransitionRow rowOf(const UnitChange& change, double utc_s) {
   return {utc_s,
           change.mode,
@@ -414,6 +423,7 @@ void ProductionCell::settle(CellTime now) {
       // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be
       // mended.
       if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
+      if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
       if (acts_first) act(change, now);
       write(now, [&] { journal_.add(rowOf(change, now.utc_s)); });
       if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
@@ -457,7 +467,9 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
       return close(JobState::Ended, "", now);
     case UnitState::Stopped:
     case UnitState::Aborted:
-      if (is_running_) close(JobState::Aborted, change.reason, now);
+      // The end of Stopping or Aborting has a reason of its own only where nobody has confirmed it.
+      if (is_running_)
+        close(JobState::Aborted, end_reason_ + (change.reason.empty() ? "" : "; " + change.reason), now);
       return;
     default:
       return;
@@ -497,7 +509,7 @@ bool ProductionCell::isAtWork() const { return !isAtRest(report_.phase) || !isAt
 void ProductionCell::interrupt(CellTime now) {
   const auto& reason = unit_.status().stop_reason;
   write(now, [&] {
-    if (execution_) journal_.interrupt(*execution_, reason ? reason->message : "", now.utc_s);
+    if (execution_) journal_.interrupt(*execution_, reason ? sentenceOf(*reason) : "", now.utc_s);
   });
 }
 

@@ -216,9 +216,7 @@ void UnitMachine::enter(UnitState state, UnitChange change, double now_s) {
 bool UnitMachine::follow(UnitCommand command, const ActiveAlarm& alarm, double now_s) {
   const auto next = commanded(status_.state, command, settings_.hold_rule);
   if (!next || !hasState(mode(), *next)) return false;
-  const std::string reason = std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
-                             (alarm.message.empty() ? "" : ": " + alarm.message);
-  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", reason, alarm.id}, now_s);
+  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", sentenceOf(alarm), alarm.id}, now_s);
   return true;
 }
 
