@@ -160,6 +160,47 @@ TEST(ProductionCell, KeepsWhyAJobWasCutOffOrEnded) {
   EXPECT_EQ(reasonOf(stopped, stopped_job), "Stop by anna") << "it was not ended because it was held";
 }
 
+/// The numbers of the alarms of an execution.
+std::vector<int> alarmsOf(Cell& cell, std::int64_t execution) {
+  std::vector<int> numbers;
+  for (const AlarmRecord& row : ExecutionLog(cell.journal()).alarms(execution)) {
+    numbers.push_back(row.alarm.alarm);
+    EXPECT_TRUE(row.gone_s) << row.alarm.alarm << " is an event";
+  }
+  return numbers;
+}
+
+TEST(ProductionCell, WritesTheAlarmsThatTheUnitRaisesItself) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  cell.command(UnitCommand::Hold);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.command(UnitCommand::Abort);
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
+  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1002}));
+  EXPECT_EQ(ExecutionLog(cell.journal()).alarms(execution)[1].alarm.message, "by anna");
+}
+
+TEST(ProductionCell, WritesThatAStateLastsTooLong) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  cell.command(UnitCommand::Hold);
+  cell.now.steady_s += 31.0;  // 30 s are allowed to Holding, and the executor says nothing
+  cell.run().tick(cell.now);
+  ASSERT_EQ(cell.state(), UnitState::Aborting);
+  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1010}));
+  cell.now.steady_s += 21.0;  // 20 s to Aborting
+  cell.run().tick(cell.now);
+  ASSERT_EQ(cell.state(), UnitState::Aborted);
+  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1010, 1010}));
+  EXPECT_NE(reasonOf(cell, job).find("1010 a state lasted too long: Holding has lasted 31 s"),
+            std::string::npos);
+  EXPECT_NE(reasonOf(cell, job).find("; Aborting has lasted 21 s"), std::string::npos);
+}
+
 TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {
   Cell cell;
   bringToExecute(cell);

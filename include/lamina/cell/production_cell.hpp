@@ -179,6 +179,7 @@ class ProductionCell {
   void close(JobState outcome, const std::string& reason, CellTime now);
   void writeEnd(JobState outcome, const std::string& reason, CellTime now);
   void keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now);
+  void keepAlarm(const ActiveAlarm& alarm, double utc_s);
   void keepCounters();
   void keepLastRecord(CellTime now);
   void write(CellTime now, const std::function<void()>& rows);

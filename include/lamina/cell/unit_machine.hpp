@@ -141,6 +141,10 @@ class UnitMachine {
   /// The changes since the last call, oldest first.
   std::vector<UnitChange> takeChanges();
 
+  /// The alarms that the unit has raised by itself since the last call (1001, 1002, 1010), oldest first, as
+  /// far as they are to be reported.
+  std::vector<ActiveAlarm> takeAlarms();
+
  private:
   const UnitMode& mode() const;
   void enter(UnitState state, UnitChange change, double now_s);
@@ -148,12 +152,14 @@ class UnitMachine {
   void react(const ActiveAlarm& alarm, double now_s);
   std::optional<CommandAnswer> refusal(const UnitRequest& request, UnitState next) const;
   void note(int alarm, const std::string& source, double now_s);
+  ActiveAlarm raiseOwn(int alarm, double value, const std::string& message, double now_s);
   void count(double now_s);
 
   UnitSettings settings_;
   UnitStatus status_;
   double counted_until_s_ = 0.0;
   std::vector<UnitChange> changes_;
+  std::vector<ActiveAlarm> own_alarms_;
 };
 
 }  // namespace lamina

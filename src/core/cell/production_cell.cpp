@@ -296,13 +296,17 @@ void ProductionCell::raise(int alarm, double value, const std::string& message, 
   const AlarmKind& kind = alarmKind(alarm);
   const bool is_to_be_reported = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
-  const double kept = std::isfinite(value) ? value : 0.0;  // the journal takes numbers alone
   if (is_to_be_reported)
     write(now, [&] {
-      journal_.add(AlarmRow{now.utc_s, alarm, kept, letterOf(kind.category), message});
-      if (kind.cause == AlarmCause::Event) journal_.endAlarm(alarm, now.utc_s);
+      keepAlarm({kind.id, kind.category, value, message, now.steady_s, {}, {}, {}, 1}, now.utc_s);
     });
   settle(now);
+}
+
+void ProductionCell::keepAlarm(const ActiveAlarm& alarm, double utc_s) {
+  const double kept = std::isfinite(alarm.value) ? alarm.value : 0.0;  // the journal takes numbers alone
+  journal_.add(AlarmRow{utc_s, alarm.id, kept, letterOf(alarm.category), alarm.message});
+  if (alarmKind(alarm.id).cause == AlarmCause::Event) journal_.endAlarm(alarm.id, utc_s);
 }
 
 void ProductionCell::end(int alarm, CellTime now) {
@@ -418,6 +422,7 @@ void ProductionCell::settle(CellTime now) {
   for (std::size_t round = 0; round < unitStates().size(); ++round) {
     const std::vector<UnitChange> changes = unit_.takeChanges();
     if (changes.empty()) return;
+    std::vector<ActiveAlarm> own = unit_.takeAlarms();
     for (const UnitChange& change : changes) {
       const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
       // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be
@@ -425,7 +430,11 @@ void ProductionCell::settle(CellTime now) {
       if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
       if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
       if (acts_first) act(change, now);
-      write(now, [&] { journal_.add(rowOf(change, now.utc_s)); });
+      write(now, [&] {
+        journal_.add(rowOf(change, now.utc_s));
+        // Before the end of an execution that it leads to: later it would belong to none.
+        for (const ActiveAlarm& alarm : std::exchange(own, {})) keepAlarm(alarm, now.utc_s);
+      });
       if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
     }
   }
