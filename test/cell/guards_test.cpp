@@ -147,6 +147,23 @@ TEST(UnitCounters, RollOverAsTheStandardsTagsDo) {
   EXPECT_EQ(rolledOver(-1.0), 0U);
 }
 
+TEST(UnitCounters, ComeBackByTheirNamesInTheJournal) {
+  UnitCounters counters;
+  counters = counted(counters, kProduction, UnitState::Held, 20.0);
+  counters.parts = 7;
+  counters.defective = 2;
+  counters.material_mm3 = 1.5;
+  auto named = namedCounters(counters);
+  EXPECT_DOUBLE_EQ(named.at("mode.1.state.11"), 20.0) << "Production, Held";
+  named["mode.9.state.2"] = 5.0;  // a mode that is no longer there
+  const UnitCounters back = countersOf(named, standardModes());
+  EXPECT_DOUBLE_EQ(totalTime(back), 20.0);
+  EXPECT_DOUBLE_EQ(timeIn(back, kProduction, UnitState::Held), 20.0);
+  EXPECT_EQ(back.parts, 7U);
+  EXPECT_EQ(back.defective, 2U);
+  EXPECT_DOUBLE_EQ(back.material_mm3, 1.5);
+}
+
 TEST(UnitCounters, GiveEffectiveness) {
   UnitCounters counters;
   counters = counted(counters, kProduction, UnitState::Execute, 80.0);

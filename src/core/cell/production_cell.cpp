@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -87,36 +86,6 @@ std::string nameOf(const OpenExecution& execution) {
 /// What the executor did last may never have been reported here.
 ExecutionStart resumption(const OpenExecution& execution) {
   return execution.progress.taken_through > 0 ? ExecutionStart::Resume : ExecutionStart::ResumeIfBegun;
-}
-
-std::string timeName(int mode, std::size_t state) {
-  return "mode." + std::to_string(mode) + ".state." + std::to_string(state);
-}
-
-std::map<std::string, double> namedCounters(const UnitCounters& counters) {
-  std::map<std::string, double> named = {{"parts", static_cast<double>(counters.parts)},
-                                         {"defective", static_cast<double>(counters.defective)},
-                                         {"material_mm3", counters.material_mm3}};
-  for (const auto& [mode, times] : counters.times_s)
-    for (std::size_t i = 0; i < times.size(); ++i) named[timeName(mode, i + 1)] = times.at(i);
-  return named;
-}
-
-UnitCounters countersOf(const std::map<std::string, double>& named, const std::vector<UnitMode>& modes) {
-  const auto value = [&named](const std::string& name) {
-    const auto found = named.find(name);
-    return found == named.end() ? 0.0 : found->second;
-  };
-  UnitCounters counters;
-  counters.parts = static_cast<std::uint64_t>(value("parts"));
-  counters.defective = static_cast<std::uint64_t>(value("defective"));
-  counters.material_mm3 = value("material_mm3");
-  for (const UnitMode& mode : modes)
-    for (const UnitState state : unitStates()) {
-      const double time_s = value(timeName(mode.number, static_cast<std::size_t>(state)));
-      if (time_s > 0.0) counters = counted(std::move(counters), mode.number, state, time_s);
-    }
-  return counters;
 }
 
 /// Why a change ends a job: the alarm that stopped the unit first, and what ended the job if that is another.
