@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -199,6 +200,34 @@ TEST(ProductionCell, WritesThatAStateLastsTooLong) {
   EXPECT_NE(reasonOf(cell, job).find("1010 a state lasted too long: Holding has lasted 31 s"),
             std::string::npos);
   EXPECT_NE(reasonOf(cell, job).find("; Aborting has lasted 21 s"), std::string::npos);
+}
+
+/// Whether the cause of an alarm is present.
+bool isPresent(Cell& cell, int id) {
+  const auto& alarms = cell.run().status().alarms.all();
+  return std::any_of(alarms.begin(), alarms.end(),
+                     [id](const ActiveAlarm& alarm) { return alarm.id == id && !alarm.gone_s; });
+}
+
+// The node reads the journal too: what it cannot read is not what the cell could not write.
+TEST(ProductionCell, EndsTheAlarmOfAJournalThatSomebodyElseCouldNotRead) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  for (int i = 0; i < 60; ++i) {
+    cell.step();  // 50 ms
+    cell.run().raise(7003, 0.0, "the queue cannot be read", cell.now);
+    EXPECT_TRUE(isPresent(cell, 7003)) << i;
+  }
+  ASSERT_EQ(cell.state(), UnitState::Held);
+  cell.run().acknowledge(7003, "anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::GuardFailed);
+  for (int i = 0; i < 21; ++i) cell.step();
+  EXPECT_FALSE(cell.hasAlarm(7003)) << "it was read and written for a second";
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted) << cell.answer.reason;
+  for (const AlarmRecord& row : ExecutionLog(cell.journal()).alarms(cell.journal().open()->id))
+    EXPECT_TRUE(row.gone_s) << row.alarm.alarm;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
 TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {

@@ -263,6 +263,11 @@ CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, Cell
 
 void ProductionCell::raise(int alarm, double value, const std::string& message, CellTime now) {
   const AlarmKind& kind = alarmKind(alarm);
+  // Whoever found it, it ends by what this cell writes: a second after it was found last.
+  if (alarm == kJournalNotWritable) {
+    is_journal_failing_ = true;
+    counters_written_s_ = now.steady_s;
+  }
   const bool is_to_be_reported = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
   if (is_to_be_reported)
@@ -357,7 +362,10 @@ void ProductionCell::tick(CellTime now) {
   write(now, [&] {
     keepCounters();
     keepLastRecord(now);
-    if (std::exchange(is_journal_failing_, false)) unit_.end(kJournalNotWritable, now.steady_s);
+    if (!is_journal_failing_) return;
+    journal_.endAlarm(kJournalNotWritable, now.utc_s);
+    unit_.end(kJournalNotWritable, now.steady_s);
+    is_journal_failing_ = false;
   });
 }
 
