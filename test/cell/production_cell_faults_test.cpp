@@ -230,6 +230,26 @@ TEST(ProductionCell, EndsTheAlarmOfAJournalThatSomebodyElseCouldNotRead) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
+TEST(ProductionCell, WritesAnAlarmThatComesBackWithinASecond) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  const double began_s = cell.now.utc_s;
+  cell.run().raise(1204, 0.0, "", cell.now);
+  for (int i = 0; i < 6; ++i) cell.step();  // 0.3 s
+  cell.run().end(1204, cell.now);
+  for (int i = 0; i < 6; ++i) cell.step();
+  cell.run().raise(1204, 0.0, "", cell.now);
+  for (int i = 0; i < 7; ++i) cell.step();
+  EXPECT_EQ(ExecutionLog(cell.journal()).alarms(execution).size(), 1U) << "0.95 s after the first";
+  for (int i = 0; i < 100; ++i) cell.step();
+  const auto rows = ExecutionLog(cell.journal()).alarms(execution);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(rows[0].gone_s.value_or(0.0), began_s + 0.3, 1e-3);
+  EXPECT_NEAR(rows[1].alarm.time_s, began_s + 0.6, 1e-3);
+  EXPECT_FALSE(rows[1].gone_s) << "the zone is still taken";
+}
+
 TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {
   Cell cell;
   bringToExecute(cell);

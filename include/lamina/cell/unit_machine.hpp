@@ -145,6 +145,9 @@ class UnitMachine {
   /// far as they are to be reported.
   std::vector<ActiveAlarm> takeAlarms();
 
+  /// As `ActiveAlarms::takeReturned`.
+  std::vector<ActiveAlarm> takeReturned(double now_s) { return status_.alarms.takeReturned(now_s); }
+
  private:
   const UnitMode& mode() const;
   void enter(UnitState state, UnitChange change, double now_s);

@@ -342,6 +342,8 @@ void ProductionCell::followPause(CellTime now) {
 
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
+  for (const ActiveAlarm& alarm : unit_.takeReturned(now.steady_s))
+    write(now, [&] { keepAlarm(alarm, now.utc_s - (now.steady_s - alarm.raised_s)); });
   pauseAgain(now);
   followPause(now);
   settle(now);
