@@ -273,6 +273,64 @@ TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::GuardFailed) << "it is still pressed";
 }
 
+/// Whether Unhold waits for somebody to acknowledge an alarm, and for nothing else; then the job is printed.
+void expectAcknowledgementOnly(Cell& cell, int alarm) {
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("alarm " + std::to_string(alarm)), std::string::npos)
+      << cell.answer.reason;
+  EXPECT_NE(cell.answer.reason.find("is not acknowledged"), std::string::npos) << cell.answer.reason;
+  cell.run().acknowledge(alarm, "anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted) << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+}
+
+TEST(ProductionCell, WaitsForTheAcknowledgementOfAnAlarmThatItsProcessDidNotOutlive) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.run().raise(3202, 20.0, "vacuum is 20 kPa", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.kill();
+  cell.now.utc_s += 5.0;
+  cell.now.steady_s += 5.0;
+  cell.start();
+  ASSERT_EQ(cell.state(), UnitState::Held);
+  ASSERT_TRUE(cell.run().status().stop_reason);
+  EXPECT_EQ(cell.run().status().stop_reason->id, 3202);
+  EXPECT_EQ(cell.run().status().stop_reason->message, "vacuum is 20 kPa");
+  EXPECT_LT(cell.run().status().stop_reason->raised_s, cell.now.steady_s - 5.0);
+  expectAcknowledgementOnly(cell, 3202);
+  bringToIdle(cell);
+  cell.kill();
+  cell.start();
+  EXPECT_FALSE(cell.hasAlarm(3202)) << "it was acknowledged, and was of an earlier run";
+}
+
+TEST(ProductionCell, WaitsOverARestartForWhatWasAcknowledgedButStillThere) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.run().raise(3202, 20.0, "vacuum is 20 kPa", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.run().acknowledge(3202, "anna", cell.now);
+  cell.run().raise(4102, 0.0, "", cell.now);
+  cell.kill();
+  cell.start();
+  EXPECT_FALSE(cell.hasAlarm(4102)) << "warnings are not latched";
+  expectAcknowledgementOnly(cell, 3202);
+}
+
+TEST(ProductionCell, HoldsTheJobOfAnAlarmThatItDiedOf) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  // Written, and killed before the executor was asked to pause.
+  cell.journal().add(AlarmRow{cell.now.utc_s, 3202, 20.0, 'H', "vacuum is 20 kPa"});
+  cell.kill();
+  cell.start();
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  EXPECT_EQ(cell.executor.orders.back(), "pause");
+  expectAcknowledgementOnly(cell, 3202);
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+}
+
 /// Acknowledges what is there and brings the unit to Idle.
 void recover(Cell& cell) {
   for (const ActiveAlarm& alarm : std::vector<ActiveAlarm>(cell.run().status().alarms.all())) {

@@ -127,6 +127,13 @@ class UnitMachine {
   /// States that the cause of an alarm is gone.
   void end(int alarm, double now_s) { status_.alarms.end(alarm, now_s); }
 
+  /// Raises an alarm of an earlier run of the unit, whose source is not known any more: its cause counts as
+  /// gone, and from category H on it waits to be acknowledged. Unless the unit is in Execute or Idle, it
+  /// becomes the stop reason if there is none.
+  /// @param raised_s  time at which it was raised; may be before that of the unit's first state
+  /// @throws InvalidInput if the table has no alarm of that ID
+  void restore(int alarm, double value, const std::string& message, double raised_s, double now_s);
+
   /// Acknowledges an alarm; the result is `BadValue` if no such alarm is active.
   /// @param by  name of the user
   CommandAnswer acknowledge(int alarm, const std::string& by, double now_s);

@@ -88,6 +88,11 @@ ExecutionStart resumption(const OpenExecution& execution) {
   return execution.progress.taken_through > 0 ? ExecutionStart::Resume : ExecutionStart::ResumeIfBegun;
 }
 
+bool isActive(const ActiveAlarms& alarms, int id) {
+  return std::any_of(alarms.all().begin(), alarms.all().end(),
+                     [id](const ActiveAlarm& alarm) { return alarm.id == id; });
+}
+
 /// Why a change ends a job: the alarm that stopped the unit first, and what ended the job if that is another.
 std::string endReason(const UnitChange& change, const std::optional<ActiveAlarm>& first) {
   std::string last = change.reason;
@@ -130,10 +135,26 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
     bystander_ = seen->phase;
   const auto open = journal_.open();
   if (open && !is_running_ && open->progress.taken_through > 0) is_part_on_plate_ = true;
+  restoreAlarms(now);
   if (journal_.movedAside().empty()) return;
   // What lies on the plate stood in the journal that is lost.
   is_part_on_plate_ = true;
   raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
+}
+
+/// Alarms that nobody has acknowledged, or whose cause nobody has seen gone, when the process died.
+void ProductionCell::restoreAlarms(CellTime now) {
+  std::vector<AlarmRow> rows;
+  for (const AlarmKind& kind : alarmTable()) {
+    if (kind.category < AlarmCategory::Hold) continue;
+    if (auto row = journal_.unsettled(kind.id)) rows.push_back(std::move(*row));
+  }
+  std::sort(rows.begin(), rows.end(),
+            [](const AlarmRow& one, const AlarmRow& other) { return one.time_s < other.time_s; });
+  for (const AlarmRow& row : rows) {
+    const double age_s = std::max(0.0, now.utc_s - row.time_s);
+    unit_.restore(row.alarm, row.value, row.message, now.steady_s - age_s, now.steady_s);
+  }
 }
 
 std::optional<QueuedJob> ProductionCell::currentJob() const {
@@ -254,7 +275,10 @@ CommandAnswer ProductionCell::changeMode(int mode, const std::string& source, Ce
 CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, CellTime now) {
   CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
   write(now, [&] {
-    if (answer.result == CommandResult::Accepted) journal_.acknowledgeAlarm(alarm, by, now.utc_s);
+    if (answer.result == CommandResult::Accepted) {
+      journal_.acknowledgeAlarm(alarm, by, now.utc_s);
+      if (!isActive(unit_.status().alarms, alarm)) journal_.endAlarm(alarm, now.utc_s);  // of an earlier run
+    }
     journal_.add(AuditRow{now.utc_s, by, "", "acknowledge " + std::to_string(alarm),
                           answer.reason.empty() ? "accepted" : answer.reason});
   });
