@@ -34,6 +34,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {1302, [](StartConditions& found) { found.job.clear(); }},
       {1303, [](StartConditions& found) { found.unready = {"bed is 40 degC; expected 60"}; }},
       {1304, [](StartConditions& found) { found.is_checked = false; }},
+      {1304, [](StartConditions& found) { found.machine_differences = {"reach in x is 1 mm"}; }},
       {1305, [](StartConditions& found) { found.loop_fault = "not calibrated"; }},
       {1203, [](StartConditions& found) { found.is_part_removed = false; }},
       {2101, [](StartConditions& found) { found.plc.is_alive = false; }},

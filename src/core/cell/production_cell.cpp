@@ -260,7 +260,7 @@ std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings&
     }
   }
   conditions.job = job ? job->name : "";
-  conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;
+  if (job) conditions.machine_differences = machineDifferences(*job, conditions.machine, artefacts_);
   if (job && files == FileCheck::Whole) conditions.torn = artefacts_.torn(job->artefacts);
   for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
   return against;
