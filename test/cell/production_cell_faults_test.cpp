@@ -180,7 +180,7 @@ TEST(ProductionCell, WritesTheAlarmsThatTheUnitRaisesItself) {
   cell.command(UnitCommand::Abort);
   ASSERT_TRUE(cell.reaches(UnitState::Aborted));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
-  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1002}));
+  ASSERT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1002}));
   EXPECT_EQ(ExecutionLog(cell.journal()).alarms(execution)[1].alarm.message, "by anna");
 }
 
