@@ -97,6 +97,37 @@ TEST(ActiveAlarms, TellAFloodOnceASecondAndCountIt) {
   EXPECT_EQ(alarms.all().front().times, 100U);
 }
 
+TEST(ActiveAlarms, TellOfOneThatCameBackWithinASecondOnceThatIsOver) {
+  ActiveAlarms alarms;
+  alarms.raise(1204, 0.0, "", 1.0);
+  alarms.end(1204, 1.3);
+  EXPECT_EQ(alarms.raise(1204, 0.0, "", 1.6), ActiveAlarms::Raised::Flooding);
+  EXPECT_EQ(alarms.raise(1204, 0.0, "", 1.8), ActiveAlarms::Raised::Flooding);
+  EXPECT_TRUE(alarms.takeReturned(1.9).empty());
+  const auto returned = alarms.takeReturned(2.0);
+  ASSERT_EQ(returned.size(), 1U);
+  EXPECT_DOUBLE_EQ(returned[0].raised_s, 1.6);
+  EXPECT_TRUE(alarms.takeReturned(5.0).empty());
+  alarms.raise(1204, 0.0, "", 5.0);
+  alarms.end(1204, 5.2);
+  alarms.raise(1204, 0.0, "", 5.4);
+  alarms.end(1204, 5.6);
+  EXPECT_TRUE(alarms.takeReturned(6.5).empty()) << "it is gone again";
+  alarms.raise(4102, 0.0, "", 7.0);
+  alarms.raise(4102, 0.0, "", 7.5);
+  EXPECT_TRUE(alarms.takeReturned(9.0).empty()) << "a repeated event is counted";
+}
+
+TEST(ActiveAlarms, TellOfOneThatWasAcknowledgedAndCameBackWithinTheSecond) {
+  ActiveAlarms alarms;
+  alarms.raise(3202, 20.0, "", 1.0);
+  alarms.acknowledge(3202, "anna", 1.2);
+  alarms.raise(3202, 25.0, "", 1.4);
+  const auto returned = alarms.takeReturned(2.5);
+  ASSERT_EQ(returned.size(), 1U) << "it asks to be acknowledged again";
+  EXPECT_DOUBLE_EQ(returned[0].value, 25.0);
+}
+
 TEST(ActiveAlarms, ForgetEventsThatNobodyHasToAcknowledge) {
   ActiveAlarms alarms;
   alarms.raise(4102, 0.0, "", 1.0);

@@ -123,7 +123,10 @@ class Cell {
   std::int64_t enqueue(const std::string& name) {
     std::ofstream(folder_.path() + "/" + name) << "G1 X1 ; " << name;
     const Artefact program = artefacts_->keep(folder_.path() + "/" + name, "program", name);
-    const std::int64_t id = journal_->addJob({name, name, "gantry", {program}, "anna"}, now.utc_s);
+    std::vector<Artefact> artefacts = {program};
+    if (!machine_sheet.empty())
+      artefacts.push_back(artefacts_->keepText(machine_sheet, kMachineSheet, "machine.txt"));
+    const std::int64_t id = journal_->addJob({name, name, "gantry", artefacts, "anna"}, now.utc_s);
     journal_->release(id, "anna", now.utc_s);
     return id;
   }
@@ -131,7 +134,7 @@ class Cell {
   CommandResult command(UnitCommand command, CutOffJob cut_off = CutOffJob::Undecided) {
     CellSurroundings found;
     found.start.is_checked = true;
-    found.start.machine = "gantry";
+    found.start.machine = {"gantry", machine_sheet};
     found.start.free_bytes = 1e10;
     found.go_on.is_position_known = true;
     answer = run_->command({command, "anna", std::nullopt, {}}, found, cut_off, now);
@@ -165,6 +168,7 @@ class Cell {
   PrintingExecutor executor;
   CellTime now{100.0, 1.7e9};
   CommandAnswer answer;
+  std::string machine_sheet;  ///< of the machine that is there; jobs have that of when they were queued
 
  private:
   ScratchFolder folder_;

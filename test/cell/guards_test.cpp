@@ -34,6 +34,7 @@ TEST(Guards, EachStopsTheStartAlone) {
       {1302, [](StartConditions& found) { found.job.clear(); }},
       {1303, [](StartConditions& found) { found.unready = {"bed is 40 degC; expected 60"}; }},
       {1304, [](StartConditions& found) { found.is_checked = false; }},
+      {1304, [](StartConditions& found) { found.machine_differences = {"reach in x is 1 mm"}; }},
       {1305, [](StartConditions& found) { found.loop_fault = "not calibrated"; }},
       {1203, [](StartConditions& found) { found.is_part_removed = false; }},
       {2101, [](StartConditions& found) { found.plc.is_alive = false; }},
@@ -145,6 +146,23 @@ TEST(UnitCounters, RollOverAsTheStandardsTagsDo) {
   EXPECT_EQ(rolledOver(2147483648.0), 0U);
   EXPECT_EQ(rolledOver(2147483658.9), 10U);
   EXPECT_EQ(rolledOver(-1.0), 0U);
+}
+
+TEST(UnitCounters, ComeBackByTheirNamesInTheJournal) {
+  UnitCounters counters;
+  counters = counted(counters, kProduction, UnitState::Held, 20.0);
+  counters.parts = 7;
+  counters.defective = 2;
+  counters.material_mm3 = 1.5;
+  auto named = namedCounters(counters);
+  EXPECT_DOUBLE_EQ(named.at("mode.1.state.11"), 20.0) << "Production, Held";
+  named["mode.9.state.2"] = 5.0;  // a mode that is no longer there
+  const UnitCounters back = countersOf(named, standardModes());
+  EXPECT_DOUBLE_EQ(totalTime(back), 20.0);
+  EXPECT_DOUBLE_EQ(timeIn(back, kProduction, UnitState::Held), 20.0);
+  EXPECT_EQ(back.parts, 7U);
+  EXPECT_EQ(back.defective, 2U);
+  EXPECT_DOUBLE_EQ(back.material_mm3, 1.5);
 }
 
 TEST(UnitCounters, GiveEffectiveness) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -127,6 +128,128 @@ TEST(ProductionCell, KeepsTheJobOfAStreamerThatDiedWhetherItsMachineStopsAtOnceO
   }
 }
 
+/// Why the last execution was interrupted or ended, as its record has it.
+std::string reasonOf(Cell& cell, std::int64_t job) {
+  const auto execution = ExecutionLog(cell.journal()).ofJob(job);
+  return execution ? execution->reason : "no execution";
+}
+
+TEST(ProductionCell, KeepsWhyAJobWasCutOffOrEnded) {
+  const std::string lost = "2201 executor lost: no sign of life";
+  const std::string silent = "2202 executor does not answer: for 2 s";
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  cell.run().raise(2201, 0.0, "no sign of life", cell.now);
+  cell.run().raise(2202, 2.0, "for 2 s", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(reasonOf(cell, job), lost + "; then " + silent);
+  const auto open = cell.journal().open();
+  ASSERT_TRUE(open);
+  EXPECT_EQ(ExecutionLog(cell.journal()).gaps(open->id).back().reason, lost + "; then " + silent);
+  Cell failed;
+  const std::int64_t failed_job = bringToExecute(failed);
+  failed.executor.fail(3104, "the nozzle reads 400 degC");
+  ASSERT_TRUE(failed.reaches(UnitState::Aborted));
+  EXPECT_EQ(reasonOf(failed, failed_job), "3104 heater fault: the nozzle reads 400 degC");
+  Cell stopped;
+  const std::int64_t stopped_job = bringToExecute(stopped);
+  stopped.command(UnitCommand::Hold);
+  ASSERT_TRUE(stopped.reaches(UnitState::Held));
+  EXPECT_EQ(reasonOf(stopped, stopped_job), "1001 held by the operator: by anna");
+  stopped.command(UnitCommand::Stop);
+  ASSERT_TRUE(stopped.reaches(UnitState::Stopped));
+  EXPECT_EQ(reasonOf(stopped, stopped_job), "Stop by anna") << "it was not ended because it was held";
+}
+
+/// The numbers of the alarms of an execution.
+std::vector<int> alarmsOf(Cell& cell, std::int64_t execution) {
+  std::vector<int> numbers;
+  for (const AlarmRecord& row : ExecutionLog(cell.journal()).alarms(execution)) {
+    numbers.push_back(row.alarm.alarm);
+    EXPECT_TRUE(row.gone_s) << row.alarm.alarm << " is an event";
+  }
+  return numbers;
+}
+
+TEST(ProductionCell, WritesTheAlarmsThatTheUnitRaisesItself) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  cell.command(UnitCommand::Hold);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.command(UnitCommand::Abort);
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
+  ASSERT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1002}));
+  EXPECT_EQ(ExecutionLog(cell.journal()).alarms(execution)[1].alarm.message, "by anna");
+}
+
+TEST(ProductionCell, WritesThatAStateLastsTooLong) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  cell.command(UnitCommand::Hold);
+  cell.now.steady_s += 31.0;  // 30 s are allowed to Holding, and the executor says nothing
+  cell.run().tick(cell.now);
+  ASSERT_EQ(cell.state(), UnitState::Aborting);
+  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1010}));
+  cell.now.steady_s += 21.0;  // 20 s to Aborting
+  cell.run().tick(cell.now);
+  ASSERT_EQ(cell.state(), UnitState::Aborted);
+  EXPECT_EQ(alarmsOf(cell, execution), (std::vector<int>{1001, 1010, 1010}));
+  EXPECT_NE(reasonOf(cell, job).find("1010 a state lasted too long: Holding has lasted 31 s"),
+            std::string::npos);
+  EXPECT_NE(reasonOf(cell, job).find("; Aborting has lasted 21 s"), std::string::npos);
+}
+
+/// Whether the cause of an alarm is present.
+bool isPresent(Cell& cell, int id) {
+  const auto& alarms = cell.run().status().alarms.all();
+  return std::any_of(alarms.begin(), alarms.end(),
+                     [id](const ActiveAlarm& alarm) { return alarm.id == id && !alarm.gone_s; });
+}
+
+// The node reads the journal too: what it cannot read is not what the cell could not write.
+TEST(ProductionCell, EndsTheAlarmOfAJournalThatSomebodyElseCouldNotRead) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  for (int i = 0; i < 60; ++i) {
+    cell.step();  // 50 ms
+    cell.run().raise(7003, 0.0, "the queue cannot be read", cell.now);
+    EXPECT_TRUE(isPresent(cell, 7003)) << i;
+  }
+  ASSERT_EQ(cell.state(), UnitState::Held);
+  cell.run().acknowledge(7003, "anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::GuardFailed);
+  for (int i = 0; i < 21; ++i) cell.step();
+  EXPECT_FALSE(cell.hasAlarm(7003)) << "it was read and written for a second";
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted) << cell.answer.reason;
+  for (const AlarmRecord& row : ExecutionLog(cell.journal()).alarms(cell.journal().open()->id))
+    EXPECT_TRUE(row.gone_s) << row.alarm.alarm;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+}
+
+TEST(ProductionCell, WritesAnAlarmThatComesBackWithinASecond) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::int64_t execution = ExecutionLog(cell.journal()).ofJob(job)->id;
+  const double began_s = cell.now.utc_s;
+  cell.run().raise(1204, 0.0, "", cell.now);
+  for (int i = 0; i < 6; ++i) cell.step();  // 0.3 s
+  cell.run().end(1204, cell.now);
+  for (int i = 0; i < 6; ++i) cell.step();
+  cell.run().raise(1204, 0.0, "", cell.now);
+  for (int i = 0; i < 7; ++i) cell.step();
+  EXPECT_EQ(ExecutionLog(cell.journal()).alarms(execution).size(), 1U) << "0.95 s after the first";
+  for (int i = 0; i < 100; ++i) cell.step();
+  const auto rows = ExecutionLog(cell.journal()).alarms(execution);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(rows[0].gone_s.value_or(0.0), began_s + 0.3, 1e-3);
+  EXPECT_NEAR(rows[1].alarm.time_s, began_s + 0.6, 1e-3);
+  EXPECT_FALSE(rows[1].gone_s) << "the zone is still taken";
+}
+
 TEST(ProductionCell, WritesAnAlarmWhoseValueIsNoNumber) {
   Cell cell;
   bringToExecute(cell);
@@ -148,6 +271,64 @@ TEST(ProductionCell, OffersTheJobThatAnEmergencyStopHasStopped) {
   ASSERT_TRUE(cell.reaches(UnitState::Stopped));
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted);
   EXPECT_EQ(cell.command(UnitCommand::Reset), CommandResult::GuardFailed) << "it is still pressed";
+}
+
+/// Whether Unhold waits for somebody to acknowledge an alarm, and for nothing else; then the job is printed.
+void expectAcknowledgementOnly(Cell& cell, int alarm) {
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("alarm " + std::to_string(alarm)), std::string::npos)
+      << cell.answer.reason;
+  EXPECT_NE(cell.answer.reason.find("is not acknowledged"), std::string::npos) << cell.answer.reason;
+  cell.run().acknowledge(alarm, "anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted) << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+}
+
+TEST(ProductionCell, WaitsForTheAcknowledgementOfAnAlarmThatItsProcessDidNotOutlive) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.run().raise(3202, 20.0, "vacuum is 20 kPa", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.kill();
+  cell.now.utc_s += 5.0;
+  cell.now.steady_s += 5.0;
+  cell.start();
+  ASSERT_EQ(cell.state(), UnitState::Held);
+  ASSERT_TRUE(cell.run().status().stop_reason);
+  EXPECT_EQ(cell.run().status().stop_reason->id, 3202);
+  EXPECT_EQ(cell.run().status().stop_reason->message, "vacuum is 20 kPa");
+  EXPECT_LT(cell.run().status().stop_reason->raised_s, cell.now.steady_s - 5.0);
+  expectAcknowledgementOnly(cell, 3202);
+  bringToIdle(cell);
+  cell.kill();
+  cell.start();
+  EXPECT_FALSE(cell.hasAlarm(3202)) << "it was acknowledged, and was of an earlier run";
+}
+
+TEST(ProductionCell, WaitsOverARestartForWhatWasAcknowledgedButStillThere) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.run().raise(3202, 20.0, "vacuum is 20 kPa", cell.now);
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.run().acknowledge(3202, "anna", cell.now);
+  cell.run().raise(4102, 0.0, "", cell.now);
+  cell.kill();
+  cell.start();
+  EXPECT_FALSE(cell.hasAlarm(4102)) << "warnings are not latched";
+  expectAcknowledgementOnly(cell, 3202);
+}
+
+TEST(ProductionCell, HoldsTheJobOfAnAlarmThatItDiedOf) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  // Written, and killed before the executor was asked to pause.
+  cell.journal().add(AlarmRow{cell.now.utc_s, 3202, 20.0, 'H', "vacuum is 20 kPa"});
+  cell.kill();
+  cell.start();
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  EXPECT_EQ(cell.executor.orders.back(), "pause");
+  expectAcknowledgementOnly(cell, 3202);
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
 /// Acknowledges what is there and brings the unit to Idle.

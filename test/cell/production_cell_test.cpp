@@ -310,6 +310,38 @@ TEST(ProductionCell, KeepsAHeldJobWhoseLinkIsLost) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Interrupted) << "by what ended it";
 }
 
+TEST(ProductionCell, StartsNoJobOnAnotherMachineOfTheSameName) {
+  const std::string large =
+      "machine: gantry\ndescription: SHA-256 aa\nreach in x: -150 to 150 mm\nreach in y: 0 to 9 mm\n";
+  const std::string small =
+      "machine: gantry\ndescription: SHA-256 bb\nreach in x: -50 to 50 mm\nreach in y: 0 to 9 mm\n";
+  Cell cell;
+  bringToIdle(cell);
+  const std::int64_t old = cell.enqueue("old.gcode");  // of a version that kept the machine's name alone
+  cell.machine_sheet = large;
+  const std::int64_t job = cell.enqueue("a.gcode");
+  EXPECT_NE(cell.journal().job(job).digest, jobDigest({cell.journal().job(job).artefacts.back()}))
+      << "of the program alone";
+  cell.kill();
+  cell.machine_sheet = small;
+  cell.start();
+  bringToIdle(cell);
+  cell.journal().revoke(old, "anna", cell.now.utc_s);
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("description is SHA-256 bb; expected SHA-256 aa; "
+                                    "reach in x is -50 to 50 mm; expected -150 to 150 mm; queue it anew"),
+            std::string::npos)
+      << cell.answer.reason;
+  EXPECT_EQ(cell.answer.reason.find("reach in y"), std::string::npos) << cell.answer.reason;
+  cell.machine_sheet = large;
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::Accepted) << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  bringToIdle(cell);
+  cell.run().confirmRemoval("anna", cell.now);
+  cell.journal().release(old, "anna", cell.now.utc_s);
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::Accepted) << cell.answer.reason;
+}
+
 TEST(ProductionCell, FollowsAnExecutorThatPausesByItself) {
   Cell cell;
   bringToExecute(cell);

@@ -21,7 +21,7 @@ using test::Cell;
 StartOutlook nothingAgainst() {
   StartOutlook outlook;
   outlook.found.start.is_checked = true;
-  outlook.found.start.machine = "gantry";
+  outlook.found.start.machine = {"gantry", ""};
   outlook.found.start.free_bytes = 1e10;
   return outlook;
 }

@@ -57,6 +57,26 @@ TEST(MachineCheck, IsClearWhereTheMachineRunsAll) {
   }
 }
 
+TEST(MachineSheet, TellsMachinesOfOneNameApart) {
+  const test::ScratchFolder folder;
+  const std::string path = std::string(LAMINA_SOURCE_DIR) + "/urdf/cartesian_gantry.urdf";
+  std::string smaller = readTextFile(path);
+  const std::string range = R"(lower="0" upper="0.25")";  // of z, the only one
+  ASSERT_NE(smaller.find(range), std::string::npos);
+  smaller.replace(smaller.find(range), range.size(), R"(lower="0" upper="0.15")");
+  writeFile(folder.file("gantry.urdf"), smaller);
+  const std::string built_in = machineSheet({"cartesian_gantry", ""});
+  EXPECT_NE(built_in.find("machine: cartesian_gantry\ndescription: built in\n"), std::string::npos)
+      << built_in;
+  EXPECT_NE(built_in.find("reach in x: 0 to 220 mm\nreach in y: 0 to 220 mm\nreach in z: 0 to 250 mm\n"),
+            std::string::npos)
+      << built_in;
+  const std::string other = machineSheet({"cartesian_gantry", folder.file("gantry.urdf")});
+  EXPECT_NE(other.find("reach in z: 0 to 150 mm\n"), std::string::npos) << other;
+  EXPECT_NE(other.find("description: SHA-256 "), std::string::npos) << other;
+  EXPECT_NE(machineSheet({"cartesian_gantry", path}), other);
+}
+
 TEST(MachineCheck, NamesEachWaypointOfAClosedPathOnce) {
   const MachineCheck check = checkOn("five_axis_head_ac", square(), {1e5, 60, 0});
   EXPECT_EQ(check.waypoints, 4U);

@@ -165,6 +165,25 @@ TEST(CellJournal, KeepsWhatHappened) {
   EXPECT_DOUBLE_EQ(journal.counters().at("state.6"), 12.5);
 }
 
+TEST(CellJournal, KnowsWhichAlarmsAreNotSettled) {
+  const ScratchFolder folder;
+  CellJournal journal(journalIn(folder));
+  EXPECT_FALSE(journal.unsettled(3202));
+  journal.add(AlarmRow{1.0, 3202, 20.0, 'H', "first"});
+  journal.add(AlarmRow{2.0, 3202, 21.0, 'H', "second"});
+  journal.add(AlarmRow{3.0, 1207, 0.0, 'T', ""});
+  ASSERT_TRUE(journal.unsettled(3202));
+  EXPECT_EQ(journal.unsettled(3202)->message, "first");
+  journal.acknowledgeAlarm(3202, "anna", 4.0);
+  ASSERT_TRUE(journal.unsettled(3202)) << "it is still there";
+  EXPECT_DOUBLE_EQ(journal.unsettled(3202)->time_s, 1.0);
+  journal.endAlarm(3202, 5.0);
+  EXPECT_FALSE(journal.unsettled(3202));
+  journal.endAlarm(1207, 5.0);
+  ASSERT_TRUE(journal.unsettled(1207)) << "nobody has acknowledged it";
+  EXPECT_EQ(journal.unsettled(1207)->category, 'T');
+}
+
 TEST(CellJournal, KeepsWhatBelongsTogetherOrNoneOfIt) {
   const ScratchFolder folder;
   CellJournal journal(journalIn(folder));

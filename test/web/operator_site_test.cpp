@@ -209,6 +209,38 @@ TEST(OperatorSite, LocksAnAddressOutThatGuessesTokensButNoGoodTokenNorHold) {
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/state", {{"x-api-key", "guess"}}).status, 401);
 }
 
+/// Rows of the audit of 130 requests in 32.5 s, from somebody that is not identified.
+std::size_t rowsOfFlood(const std::string& target, const std::string& body,
+                        const SiteSettings& settings = closedLoopback()) {
+  SiteOfFakes site(settings);
+  for (int i = 0; i < 130; ++i) {
+    site.now.steady_s -= 0.75;  // of the second that each takes
+    site.ask(HttpMethod::Post, target, {}, body);
+  }
+  return site.store.audit(1000).size();
+}
+
+TEST(OperatorSite, WritesRefusalsOfWhatAnybodyMayAskAtMostOnceASecond) {
+  // 60 at once, and one more for each whole second of 129 quarters of a second
+  constexpr std::size_t kMost = 60 + 32;
+  EXPECT_EQ(rowsOfFlood("/api/printer/command", R"({"command":"G28"})"), kMost);
+  EXPECT_EQ(rowsOfFlood("/api/printer/command", R"({"command":"G28"})", {}), kMost)
+      << "a program on this host, which needs no token";
+  EXPECT_EQ(rowsOfFlood("/api/v1/session", R"({"token":"guess"})"), kMost);
+  EXPECT_EQ(rowsOfFlood("/plugin/appkeys/request", "no object"), kMost);
+}
+
+TEST(OperatorSite, WritesEachRefusalOfWhatSomebodyHasTheRightTo) {
+  SiteOfFakes site(closedLoopback());
+  const Headers key = {{"x-api-key", site.add(WebRole::Operator, "anna")}};
+  site.desk.next = {DeskAnswer::Outcome::Refused, 2, "Start in Held is not accepted", 0};
+  for (int i = 0; i < 100; ++i) {
+    site.now.steady_s -= 0.75;
+    EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", key, R"({"command":"Start"})").status, 409);
+  }
+  EXPECT_EQ(site.store.audit(1000).size(), 100U);
+}
+
 TEST(OperatorSite, LimitsRequestsOfOneTokenButNotHold) {
   SiteOfFakes site(closedLoopback());
   const Headers key = {{"x-api-key", site.add(WebRole::Operator, "script")}};

@@ -28,6 +28,9 @@ struct ActiveAlarm {
 /// Whether the alarm stays until its cause is gone and it is acknowledged: categories from Hold on.
 bool isLatched(const ActiveAlarm& alarm);
 
+/// The alarm in a sentence: number, what has happened, message.
+std::string sentenceOf(const ActiveAlarm& alarm);
+
 /// The active alarms of a unit, oldest first. An alarm below Hold is removed when its cause is gone; from
 /// Hold on it must also be acknowledged. The cause of an event is gone as soon as it was raised. So that
 /// somebody sees it, an event below Hold stays until it is acknowledged or the unit is reset.
@@ -54,6 +57,11 @@ class ActiveAlarms {
   /// Removes the events below Hold, as a reset of the unit does.
   void forgetEvents();
 
+  /// The conditions that came back, ended or acknowledged since they were last reported, within the second in
+  /// which their repetitions are not: those that are still present once that second is over, each once and
+  /// with the time at which it came back.
+  std::vector<ActiveAlarm> takeReturned(double now_s);
+
   const std::vector<ActiveAlarm>& all() const { return alarms_; }
 
   /// The alarms of that category and of graver ones.
@@ -67,12 +75,14 @@ class ActiveAlarms {
   struct LastReport {
     int id = 0;
     double at_s = 0.0;
+    bool is_outdated = false;      ///< whether the alarm was ended or acknowledged since
+    std::optional<double> back_s;  ///< time at which it came back since then
   };
   void removeSettled();
   bool isFlooding(int id, double now_s);
 
   std::vector<ActiveAlarm> alarms_;
-  std::vector<LastReport> last_reports_;
+  std::vector<LastReport> last_reports_;  ///< one of each alarm that was ever raised
 };
 
 }  // namespace lamina

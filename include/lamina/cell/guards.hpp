@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/cell/machine_sheet.hpp"
 #include "lamina/cell/unit_machine.hpp"
 
 namespace lamina {
@@ -42,7 +43,9 @@ std::string whyZoneIsTaken(const PlcInterlocks& plc, PlcNeed need);
 /// The present conditions for a start.
 struct StartConditions {
   int mode = kProduction;
-  std::string machine;               ///< machine of the cell, for which programs have to be checked
+  BoundMachine machine;  ///< machine of the cell, for which programs have to be checked
+  /// Differences of the machine from the one that the job's program was checked for.
+  std::vector<std::string> machine_differences;
   std::string job;                   ///< next job in the queue; empty if none is allowed to start
   std::vector<std::string> torn;     ///< files of the job whose hash has changed
   std::vector<std::string> unready;  ///< steps of the start-up that are not satisfied, each with the reason

@@ -106,7 +106,7 @@ struct CellParts {
 /// acted upon first. A journal that cannot be written raises alarm 7003; a job that is done stays in
 /// Completing until its end is written. After a restart, a job that the executor still runs is continued
 /// under the cell. One that was cut off waits in Aborted for Clear, Reset, and a Start that states what to do
-/// with it.
+/// with it. Latched alarms of before wait to be acknowledged.
 class ProductionCell {
  public:
   /// @param seen  present report of the executor; nothing if it does not answer
@@ -179,6 +179,8 @@ class ProductionCell {
   void close(JobState outcome, const std::string& reason, CellTime now);
   void writeEnd(JobState outcome, const std::string& reason, CellTime now);
   void keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now);
+  void restoreAlarms(CellTime now);
+  void keepAlarm(const ActiveAlarm& alarm, double utc_s);
   void keepCounters();
   void keepLastRecord(CellTime now);
   void write(CellTime now, const std::function<void()>& rows);
@@ -197,6 +199,7 @@ class ProductionCell {
   bool has_run_ = false;              ///< whether the job has run since the last start
   bool is_held_by_executor_ = false;  ///< whether the unit was held last since its executor paused by itself
   bool is_given_up_ = false;          ///< whether the job that ends is not to be offered for resuming
+  std::string end_reason_;            ///< why the unit was stopped or aborted last
   bool is_journal_failing_ = false;
   bool is_part_on_plate_ = false;
   CutOffJob cut_off_ = CutOffJob::Undecided;

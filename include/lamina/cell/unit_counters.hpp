@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "lamina/cell/packml_model.hpp"
 
@@ -27,6 +29,12 @@ UnitCounters counted(UnitCounters counters, int mode, UnitState state, double du
 double timeIn(const UnitCounters& counters, int mode);
 double timeIn(const UnitCounters& counters, int mode, UnitState state);
 double totalTime(const UnitCounters& counters);
+
+/// The counters by the names that they have in the journal.
+std::map<std::string, double> namedCounters(const UnitCounters& counters);
+/// The counters of the journal; 0 for those that it does not have. Times in modes that are not given are left
+/// out.
+UnitCounters countersOf(const std::map<std::string, double>& named, const std::vector<UnitMode>& modes);
 
 /// A counter as in the standard's 32-bit tags: rounded down, and beginning at 0 again after 2147483647.
 std::uint32_t rolledOver(double count);

@@ -127,6 +127,13 @@ class UnitMachine {
   /// States that the cause of an alarm is gone.
   void end(int alarm, double now_s) { status_.alarms.end(alarm, now_s); }
 
+  /// Raises an alarm of an earlier run of the unit, whose source is not known any more: its cause counts as
+  /// gone, and from category H on it waits to be acknowledged. Unless the unit is in Execute or Idle, it
+  /// becomes the stop reason if there is none.
+  /// @param raised_s  time at which it was raised; may be before that of the unit's first state
+  /// @throws InvalidInput if the table has no alarm of that ID
+  void restore(int alarm, double value, const std::string& message, double raised_s, double now_s);
+
   /// Acknowledges an alarm; the result is `BadValue` if no such alarm is active.
   /// @param by  name of the user
   CommandAnswer acknowledge(int alarm, const std::string& by, double now_s);
@@ -141,6 +148,13 @@ class UnitMachine {
   /// The changes since the last call, oldest first.
   std::vector<UnitChange> takeChanges();
 
+  /// The alarms that the unit has raised by itself since the last call (1001, 1002, 1010), oldest first, as
+  /// far as they are to be reported.
+  std::vector<ActiveAlarm> takeAlarms();
+
+  /// As `ActiveAlarms::takeReturned`.
+  std::vector<ActiveAlarm> takeReturned(double now_s) { return status_.alarms.takeReturned(now_s); }
+
  private:
   const UnitMode& mode() const;
   void enter(UnitState state, UnitChange change, double now_s);
@@ -148,12 +162,14 @@ class UnitMachine {
   void react(const ActiveAlarm& alarm, double now_s);
   std::optional<CommandAnswer> refusal(const UnitRequest& request, UnitState next) const;
   void note(int alarm, const std::string& source, double now_s);
+  ActiveAlarm raiseOwn(int alarm, double value, const std::string& message, double now_s);
   void count(double now_s);
 
   UnitSettings settings_;
   UnitStatus status_;
   double counted_until_s_ = 0.0;
   std::vector<UnitChange> changes_;
+  std::vector<ActiveAlarm> own_alarms_;
 };
 
 }  // namespace lamina

@@ -17,4 +17,9 @@ namespace lamina {
 /// @throws Unreachable naming the line, the position [mm, bed frame] and the machine's limits
 void requirePrintable(const std::string& path, const MachineSettings& machine);
 
+/// What a program is checked by, as lines "name: value": the machine, the digest of its description, or that
+/// it is built in, and its reach [mm] along the axes of its bed. Two machines of one name differ in it.
+/// @throws FileError, InvalidConfig as `buildSpaceOf`
+std::string machineSheet(const MachineSettings& machine);
+
 }  // namespace lamina

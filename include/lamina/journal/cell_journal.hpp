@@ -181,6 +181,8 @@ class CellJournal {
   void acknowledgeAlarm(int alarm, const std::string& by, double time_s);
   /// Marks all rows of an alarm as gone.
   void endAlarm(int alarm, double time_s);
+  /// The oldest row of an alarm that is not acknowledged or not gone; nothing if all are both.
+  std::optional<AlarmRow> unsettled(int alarm) const;
   std::vector<TransitionRow> transitions(std::size_t most) const;  ///< the last `most`, oldest first
   std::vector<AlarmRow> alarms(std::size_t most) const;            ///< the last `most`, oldest first
 

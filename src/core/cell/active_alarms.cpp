@@ -28,11 +28,18 @@ auto findAlarm(Alarms& alarms, int id) {
 
 bool isLatched(const ActiveAlarm& alarm) { return alarm.category >= AlarmCategory::Hold; }
 
+std::string sentenceOf(const ActiveAlarm& alarm) {
+  return std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
+         (alarm.message.empty() ? "" : ": " + alarm.message);
+}
+
 ActiveAlarms::Raised ActiveAlarms::raise(int id, double value, const std::string& message, double now_s) {
   const AlarmKind& kind = alarmKind(id);
   ActiveAlarm alarm{kind.id, kind.category, value, message, now_s, {}, {}, {}, 1};
   if (kind.cause == AlarmCause::Event) alarm.gone_s = now_s;
   const bool is_flooding = isFlooding(id, now_s);
+  const auto last = findAlarm(last_reports_, id);
+  if (is_flooding && !isGone(alarm) && last->is_outdated && !last->back_s) last->back_s = now_s;
   const auto active = findAlarm(alarms_, id);
   if (active == alarms_.end()) {
     alarms_.push_back(alarm);
@@ -48,6 +55,9 @@ void ActiveAlarms::end(int id, double now_s) {
   const auto alarm = findAlarm(alarms_, id);
   if (alarm == alarms_.end() || isGone(*alarm)) return;
   alarm->gone_s = now_s;
+  LastReport& last = *findAlarm(last_reports_, id);
+  last.is_outdated = true;
+  last.back_s.reset();
   removeSettled();
 }
 
@@ -56,6 +66,7 @@ bool ActiveAlarms::acknowledge(int id, const std::string& by, double now_s) {
   if (alarm == alarms_.end()) return false;
   alarm->acknowledged_s = now_s;
   alarm->acknowledged_by = by;
+  findAlarm(last_reports_, id)->is_outdated = true;
   removeSettled();
   return true;
 }
@@ -79,6 +90,17 @@ std::optional<AlarmCategory> ActiveAlarms::gravest() const {
   return gravest;
 }
 
+std::vector<ActiveAlarm> ActiveAlarms::takeReturned(double now_s) {
+  std::vector<ActiveAlarm> returned;
+  for (LastReport& last : last_reports_) {
+    if (!last.back_s || now_s - last.at_s < kFloodInterval) continue;
+    returned.push_back(*findAlarm(alarms_, last.id));  // its end would have cleared the time
+    returned.back().raised_s = *last.back_s;
+    last = {last.id, now_s, false, {}};
+  }
+  return returned;
+}
+
 void ActiveAlarms::removeSettled() {
   alarms_.erase(std::remove_if(alarms_.begin(), alarms_.end(), isSettled), alarms_.end());
 }
@@ -86,11 +108,11 @@ void ActiveAlarms::removeSettled() {
 bool ActiveAlarms::isFlooding(int id, double now_s) {
   const auto last = findAlarm(last_reports_, id);
   if (last == last_reports_.end()) {
-    last_reports_.push_back({id, now_s});
+    last_reports_.push_back({id, now_s, false, {}});
     return false;
   }
   if (now_s - last->at_s < kFloodInterval) return true;
-  last->at_s = now_s;
+  *last = {id, now_s, false, {}};
   return false;
 }
 

@@ -83,7 +83,10 @@ std::vector<UnmetGuard> againstStart(const StartConditions& found) {
   if (found.job.empty()) unmet.push_back({1302, "no job of the queue is allowed to start; release one"});
   if (!found.unready.empty())
     unmet.push_back({1303, "the start-up is not done: " + listed(found.unready, "; ")});
-  if (!found.job.empty() && !found.is_checked)
+  if (!found.job.empty() && !found.machine_differences.empty())
+    unmet.push_back({1304, "the program of '" + found.job + "' was checked for another machine: " +
+                               listed(found.machine_differences, "; ") + "; queue it anew"});
+  else if (!found.job.empty() && !found.is_checked)
     unmet.push_back({1304, "the program of '" + found.job + "' was not checked for this machine"});
   if (found.needs_loop && !found.loop_fault.empty())
     unmet.push_back({1305, "the height loop may not run: " + found.loop_fault});

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -89,34 +88,18 @@ ExecutionStart resumption(const OpenExecution& execution) {
   return execution.progress.taken_through > 0 ? ExecutionStart::Resume : ExecutionStart::ResumeIfBegun;
 }
 
-std::string timeName(int mode, std::size_t state) {
-  return "mode." + std::to_string(mode) + ".state." + std::to_string(state);
+bool isActive(const ActiveAlarms& alarms, int id) {
+  return std::any_of(alarms.all().begin(), alarms.all().end(),
+                     [id](const ActiveAlarm& alarm) { return alarm.id == id; });
 }
 
-std::map<std::string, double> namedCounters(const UnitCounters& counters) {
-  std::map<std::string, double> named = {{"parts", static_cast<double>(counters.parts)},
-                                         {"defective", static_cast<double>(counters.defective)},
-                                         {"material_mm3", counters.material_mm3}};
-  for (const auto& [mode, times] : counters.times_s)
-    for (std::size_t i = 0; i < times.size(); ++i) named[timeName(mode, i + 1)] = times.at(i);
-  return named;
-}
-
-UnitCounters countersOf(const std::map<std::string, double>& named, const std::vector<UnitMode>& modes) {
-  const auto value = [&named](const std::string& name) {
-    const auto found = named.find(name);
-    return found == named.end() ? 0.0 : found->second;
-  };
-  UnitCounters counters;
-  counters.parts = static_cast<std::uint64_t>(value("parts"));
-  counters.defective = static_cast<std::uint64_t>(value("defective"));
-  counters.material_mm3 = value("material_mm3");
-  for (const UnitMode& mode : modes)
-    for (const UnitState state : unitStates()) {
-      const double time_s = value(timeName(mode.number, static_cast<std::size_t>(state)));
-      if (time_s > 0.0) counters = counted(std::move(counters), mode.number, state, time_s);
-    }
-  return counters;
+/// Why a change ends a job: the alarm that stopped the unit first, and what ended the job if that is another.
+std::string endReason(const UnitChange& change, const std::optional<ActiveAlarm>& first) {
+  std::string last = change.reason;
+  if (last.empty() && change.command) last = std::string(toString(*change.command)) + " by " + change.source;
+  // What a person has held is not ended for that.
+  if (!first || first->category < AlarmCategory::Suspend || first->id == change.alarm) return last;
+  return sentenceOf(*first) + "; then " + last;
 }
 
 TransitionRow rowOf(const UnitChange& change, double utc_s) {
@@ -152,10 +135,26 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
     bystander_ = seen->phase;
   const auto open = journal_.open();
   if (open && !is_running_ && open->progress.taken_through > 0) is_part_on_plate_ = true;
+  restoreAlarms(now);
   if (journal_.movedAside().empty()) return;
   // What lies on the plate stood in the journal that is lost.
   is_part_on_plate_ = true;
   raise(kJournalDamaged, 0.0, "moved to " + journal_.movedAside() + "; a new journal has begun", now);
+}
+
+/// Alarms that nobody has acknowledged, or whose cause nobody has seen gone, when the process died.
+void ProductionCell::restoreAlarms(CellTime now) {
+  std::vector<AlarmRow> rows;
+  for (const AlarmKind& kind : alarmTable()) {
+    if (kind.category < AlarmCategory::Hold) continue;
+    if (auto row = journal_.unsettled(kind.id)) rows.push_back(std::move(*row));
+  }
+  std::sort(rows.begin(), rows.end(),
+            [](const AlarmRow& one, const AlarmRow& other) { return one.time_s < other.time_s; });
+  for (const AlarmRow& row : rows) {
+    const double age_s = std::max(0.0, now.utc_s - row.time_s);
+    unit_.restore(row.alarm, row.value, row.message, now.steady_s - age_s, now.steady_s);
+  }
 }
 
 std::optional<QueuedJob> ProductionCell::currentJob() const {
@@ -261,7 +260,7 @@ std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings&
     }
   }
   conditions.job = job ? job->name : "";
-  conditions.is_checked = conditions.is_checked && job && job->machine == conditions.machine;
+  if (job) conditions.machine_differences = machineDifferences(*job, conditions.machine, artefacts_);
   if (job && files == FileCheck::Whole) conditions.torn = artefacts_.torn(job->artefacts);
   for (UnmetGuard& guard : againstStart(conditions)) against.push_back(std::move(guard));
   return against;
@@ -276,7 +275,10 @@ CommandAnswer ProductionCell::changeMode(int mode, const std::string& source, Ce
 CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, CellTime now) {
   CommandAnswer answer = unit_.acknowledge(alarm, by, now.steady_s);
   write(now, [&] {
-    if (answer.result == CommandResult::Accepted) journal_.acknowledgeAlarm(alarm, by, now.utc_s);
+    if (answer.result == CommandResult::Accepted) {
+      journal_.acknowledgeAlarm(alarm, by, now.utc_s);
+      if (!isActive(unit_.status().alarms, alarm)) journal_.endAlarm(alarm, now.utc_s);  // of an earlier run
+    }
     journal_.add(AuditRow{now.utc_s, by, "", "acknowledge " + std::to_string(alarm),
                           answer.reason.empty() ? "accepted" : answer.reason});
   });
@@ -285,15 +287,24 @@ CommandAnswer ProductionCell::acknowledge(int alarm, const std::string& by, Cell
 
 void ProductionCell::raise(int alarm, double value, const std::string& message, CellTime now) {
   const AlarmKind& kind = alarmKind(alarm);
+  // Whoever found it, it ends by what this cell writes: a second after it was found last.
+  if (alarm == kJournalNotWritable) {
+    is_journal_failing_ = true;
+    counters_written_s_ = now.steady_s;
+  }
   const bool is_to_be_reported = unit_.raise(alarm, value, message, now.steady_s);
   if (kind.category >= AlarmCategory::Stop) settle(now);
-  const double kept = std::isfinite(value) ? value : 0.0;  // the journal takes numbers alone
   if (is_to_be_reported)
     write(now, [&] {
-      journal_.add(AlarmRow{now.utc_s, alarm, kept, letterOf(kind.category), message});
-      if (kind.cause == AlarmCause::Event) journal_.endAlarm(alarm, now.utc_s);
+      keepAlarm({kind.id, kind.category, value, message, now.steady_s, {}, {}, {}, 1}, now.utc_s);
     });
   settle(now);
+}
+
+void ProductionCell::keepAlarm(const ActiveAlarm& alarm, double utc_s) {
+  const double kept = std::isfinite(alarm.value) ? alarm.value : 0.0;  // the journal takes numbers alone
+  journal_.add(AlarmRow{utc_s, alarm.id, kept, letterOf(alarm.category), alarm.message});
+  if (alarmKind(alarm.id).cause == AlarmCause::Event) journal_.endAlarm(alarm.id, utc_s);
 }
 
 void ProductionCell::end(int alarm, CellTime now) {
@@ -355,6 +366,8 @@ void ProductionCell::followPause(CellTime now) {
 
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
+  for (const ActiveAlarm& alarm : unit_.takeReturned(now.steady_s))
+    write(now, [&] { keepAlarm(alarm, now.utc_s - (now.steady_s - alarm.raised_s)); });
   pauseAgain(now);
   followPause(now);
   settle(now);
@@ -375,7 +388,10 @@ void ProductionCell::tick(CellTime now) {
   write(now, [&] {
     keepCounters();
     keepLastRecord(now);
-    if (std::exchange(is_journal_failing_, false)) unit_.end(kJournalNotWritable, now.steady_s);
+    if (!is_journal_failing_) return;
+    journal_.endAlarm(kJournalNotWritable, now.utc_s);
+    unit_.end(kJournalNotWritable, now.steady_s);
+    is_journal_failing_ = false;
   });
 }
 
@@ -409,13 +425,19 @@ void ProductionCell::settle(CellTime now) {
   for (std::size_t round = 0; round < unitStates().size(); ++round) {
     const std::vector<UnitChange> changes = unit_.takeChanges();
     if (changes.empty()) return;
+    std::vector<ActiveAlarm> own = unit_.takeAlarms();
     for (const UnitChange& change : changes) {
       const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
       // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be
       // mended.
       if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
+      if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
       if (acts_first) act(change, now);
-      write(now, [&] { journal_.add(rowOf(change, now.utc_s)); });
+      write(now, [&] {
+        journal_.add(rowOf(change, now.utc_s));
+        // Before the end of an execution that it leads to: later it would belong to none.
+        for (const ActiveAlarm& alarm : std::exchange(own, {})) keepAlarm(alarm, now.utc_s);
+      });
       if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
     }
   }
@@ -457,7 +479,9 @@ void ProductionCell::act(const UnitChange& change, CellTime now) {
       return close(JobState::Ended, "", now);
     case UnitState::Stopped:
     case UnitState::Aborted:
-      if (is_running_) close(JobState::Aborted, change.reason, now);
+      // The end of Stopping or Aborting has a reason of its own only where nobody has confirmed it.
+      if (is_running_)
+        close(JobState::Aborted, end_reason_ + (change.reason.empty() ? "" : "; " + change.reason), now);
       return;
     default:
       return;
@@ -497,7 +521,7 @@ bool ProductionCell::isAtWork() const { return !isAtRest(report_.phase) || !isAt
 void ProductionCell::interrupt(CellTime now) {
   const auto& reason = unit_.status().stop_reason;
   write(now, [&] {
-    if (execution_) journal_.interrupt(*execution_, reason ? reason->message : "", now.utc_s);
+    if (execution_) journal_.interrupt(*execution_, reason ? sentenceOf(*reason) : "", now.utc_s);
   });
 }
 

@@ -57,6 +57,12 @@ std::string describe(const ActiveAlarm& alarm) {
   return alarm.message.empty() ? sentence : sentence + ": " + alarm.message;
 }
 
+/// An alarm that has just been raised.
+ActiveAlarm activeOf(const ActiveAlarms& alarms, int id) {
+  return *std::find_if(alarms.all().begin(), alarms.all().end(),
+                       [id](const ActiveAlarm& alarm) { return alarm.id == id; });
+}
+
 std::string acceptedNames(UnitState state, HoldRule rule) {
   std::vector<std::string> names;
   for (const UnitCommand command : acceptedIn(state, rule)) names.emplace_back(toString(command));
@@ -161,12 +167,19 @@ void UnitMachine::complete(UnitState state, double now_s) {
 
 bool UnitMachine::raise(int alarm, double value, const std::string& message, double now_s) {
   const ActiveAlarms::Raised raised = status_.alarms.raise(alarm, value, message, now_s);
-  for (const ActiveAlarm& active : status_.alarms.all())
-    if (active.id == alarm) {
-      react(ActiveAlarm(active), now_s);
-      break;
-    }
+  react(activeOf(status_.alarms, alarm), now_s);
   return raised != ActiveAlarms::Raised::Flooding;
+}
+
+void UnitMachine::restore(int alarm, double value, const std::string& message, double raised_s,
+                          double now_s) {
+  status_.alarms.raise(alarm, value, message, raised_s);
+  const ActiveAlarm active = activeOf(status_.alarms, alarm);
+  status_.alarms.end(alarm, now_s);
+  // A unit that died between the alarm and its reaction still has to react.
+  react(active, now_s);
+  const bool is_stopped = status_.state != UnitState::Execute && status_.state != UnitState::Idle;
+  if (is_stopped && !status_.stop_reason) status_.stop_reason = active;
 }
 
 CommandAnswer UnitMachine::acknowledge(int alarm, const std::string& by, double now_s) {
@@ -183,12 +196,11 @@ void UnitMachine::tick(double now_s) {
                              std::to_string(std::lround(lasted_s)) + " s; expected at most " +
                              std::to_string(std::lround(longest_s)) + " s";
   if (status_.state == UnitState::Aborting) {
-    status_.alarms.raise(kStateTooLong, lasted_s, reason + ": nobody confirms that the unit is at rest",
-                         now_s);
+    raiseOwn(kStateTooLong, lasted_s, reason + ": nobody confirms that the unit is at rest", now_s);
     enter(UnitState::Aborted, {0.0, 0, 0, {}, {}, {}, "unit", reason, 0}, now_s);
     return;
   }
-  raise(kStateTooLong, lasted_s, reason, now_s);
+  react(raiseOwn(kStateTooLong, lasted_s, reason, now_s), now_s);
 }
 
 void UnitMachine::countPart(PartVerdict verdict, double material_mm3) {
@@ -198,6 +210,8 @@ void UnitMachine::countPart(PartVerdict verdict, double material_mm3) {
 }
 
 std::vector<UnitChange> UnitMachine::takeChanges() { return std::exchange(changes_, {}); }
+
+std::vector<ActiveAlarm> UnitMachine::takeAlarms() { return std::exchange(own_alarms_, {}); }
 
 void UnitMachine::enter(UnitState state, UnitChange change, double now_s) {
   count(now_s);
@@ -216,9 +230,7 @@ void UnitMachine::enter(UnitState state, UnitChange change, double now_s) {
 bool UnitMachine::follow(UnitCommand command, const ActiveAlarm& alarm, double now_s) {
   const auto next = commanded(status_.state, command, settings_.hold_rule);
   if (!next || !hasState(mode(), *next)) return false;
-  const std::string reason = std::to_string(alarm.id) + ' ' + alarmKind(alarm.id).title +
-                             (alarm.message.empty() ? "" : ": " + alarm.message);
-  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", reason, alarm.id}, now_s);
+  enter(*next, {0.0, 0, 0, {}, {}, command, "alarm", sentenceOf(alarm), alarm.id}, now_s);
   return true;
 }
 
@@ -246,8 +258,15 @@ void UnitMachine::react(const ActiveAlarm& alarm, double now_s) {
 }
 
 void UnitMachine::note(int alarm, const std::string& source, double now_s) {
-  status_.alarms.raise(alarm, 0.0, source.empty() ? "" : "by " + source, now_s);
-  if (!status_.stop_reason) status_.stop_reason = status_.alarms.all().back();
+  const ActiveAlarm raised = raiseOwn(alarm, 0.0, source.empty() ? "" : "by " + source, now_s);
+  if (!status_.stop_reason) status_.stop_reason = raised;
+}
+
+ActiveAlarm UnitMachine::raiseOwn(int alarm, double value, const std::string& message, double now_s) {
+  const ActiveAlarms::Raised raised = status_.alarms.raise(alarm, value, message, now_s);
+  ActiveAlarm active = activeOf(status_.alarms, alarm);
+  if (raised != ActiveAlarms::Raised::Flooding) own_alarms_.push_back(active);
+  return active;
 }
 
 void UnitMachine::count(double now_s) {

@@ -5,6 +5,9 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
+#include "lamina/base/sha256.hpp"
+#include "lamina/kinematics/description_files/cell_description.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 
@@ -34,6 +37,18 @@ std::string faultByBox(const BuildSpace& space, const Box3& box, const Point3& t
 }
 
 }  // namespace
+
+std::string machineSheet(const MachineSettings& machine) {
+  const BuildSpace space = buildSpaceOf(machine);
+  const Box3 box = boundingBox(space);
+  const std::string description =
+      machine.urdf.empty() ? "built in" : "SHA-256 " + sha256Of(readMachineDescription(machine.urdf));
+  std::string sheet = "machine: " + space.name + "\ndescription: " + description + '\n';
+  for (int i = 0; i < 3; ++i)
+    sheet += std::string("reach in ") + "xyz"[i] + ": " + numberText(box.low[i]) + " to " +
+             numberText(box.high[i]) + " mm\n";
+  return sheet;
+}
 
 void requirePrintable(const std::string& path, const MachineSettings& machine) {
   const BuildSpace space = buildSpaceOf(machine);

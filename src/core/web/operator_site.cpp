@@ -381,8 +381,11 @@ WebResponse OperatorSite::answer(const Admitted& admitted, const WebRequest& req
     response = inside.callOnce(std::to_string(admitted.who.token) + ' ' + key, admitted, request, now);
   // Whatever was asked for has been done by now: what stops the unit does not wait for the disk.
   const bool is_refused = response.status >= 400;
-  const bool is_for_audit = row.method != HttpMethod::Get && (is_refused || response.is_audited);
-  if (is_for_audit || response.status == 401 || response.status == 403) {
+  const bool is_for_audit = (row.method != HttpMethod::Get && (is_refused || response.is_audited)) ||
+                            response.status == 401 || response.status == 403;
+  // What anybody may ask for is refused to anybody, as often as they like.
+  const bool is_limited = is_refused && (row.right == WebRight::None || !admitted.who.role);
+  if (is_for_audit && (!is_limited || inside.isRefusalWritten(request.head.peer.address, now))) {
     const std::string what = std::string(wordOf(row.method)) + ' ' + request.head.target.substr(0, 120) +
                              (response.note.empty() ? "" : ": " + response.note);
     std::string reason;

@@ -13,6 +13,7 @@
 #include "lamina/base/disk_space.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/job/program_check.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
@@ -72,11 +73,22 @@ ros::ServiceServer advertiseRemoval(ros::NodeHandle& node,
 
 std::uint8_t numberOf(CommandResult result) { return static_cast<std::uint8_t>(result); }
 
+/// The machine's sheet; one that no job has if the machine is not to be read: jobs may run, and none starts.
+std::string sheetOf(const MachineSettings& machine) {
+  try {
+    return machineSheet(machine);
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM("no job can start: " << error.what());
+    return std::string("description: cannot be read: ") + error.what() + '\n';
+  }
+}
+
 }  // namespace
 
 CellController::CellController(ros::NodeHandle node, const CellControllerSettings& settings)
     : settings_(settings),
       unit_settings_(unitSettings(settings)),
+      machine_sheet_(sheetOf(settings.machine)),
       status_(node.advertise<lamina_msgs::PackmlStatus>(names::kPackmlStatus, 100, true)),
       alarms_(node.advertise<lamina_msgs::CellAlarms>(names::kAlarms, 100, true)),
       queue_(node.advertise<lamina_msgs::JobQueue>(names::kJobQueue, 10, true)),
@@ -149,7 +161,7 @@ CellSurroundings CellController::surroundings() const {
   CellSurroundings found;
   // Programs are checked as they are put into the queue, and kept by their digests.
   found.start.is_checked = true;
-  found.start.machine = settings_.machine.name;
+  found.start.machine = {settings_.machine.name, machine_sheet_};
   for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);

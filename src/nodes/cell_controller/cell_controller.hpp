@@ -84,6 +84,7 @@ class CellController {
 
   CellControllerSettings settings_;
   UnitSettings unit_settings_;
+  std::string machine_sheet_;  ///< of the machine as described when the node started
   SteadyClock clock_;
   ros::Publisher status_;
   ros::Publisher alarms_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/cell/machine_sheet.hpp"
 #include "lamina/job/program_check.hpp"
 #include "lamina/streaming/job/streamable_program.hpp"
 #include "names.hpp"
@@ -77,8 +78,10 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
     requirePrintable(kept, machine_);
     if (!request.mesh.empty()) files.push_back(artefacts_.keepFile(request.mesh, "mesh", request.mesh_name));
     std::vector<Artefact> artefacts;
-    artefacts.reserve(files.size());
+    artefacts.reserve(files.size() + 1);
     for (const KeptFile& each : files) artefacts.push_back(each.artefact);
+    // All jobs of a machine share it: it stays also if this one is not taken.
+    artefacts.push_back(artefacts_.keepText(machineSheet(machine_), kMachineSheet, "machine.txt"));
     return add({name, request.part, machine_.name, artefacts, request.source,
                 layersOf(StreamableProgram::fromFile(kept))});
   } catch (const Cancelled&) {
