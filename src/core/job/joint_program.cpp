@@ -25,6 +25,8 @@
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
 
 namespace lamina {
@@ -36,7 +38,8 @@ struct ToolpathAsRun {
   JointPath joints;
 };
 
-constexpr double kSameTurn = 1e-6;  // rad: under what targets resolve
+constexpr double kSameTurn = 1e-6;    // rad: under what targets resolve
+constexpr double kSameJoints = 1e-3;  // rad, mm: above what the digits of targets leave open
 
 /// What a closed path has at its first waypoint is that of its return.
 template <typename Value>
@@ -253,6 +256,63 @@ JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob
   return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path), time};
 }
 
+/// The motion of an arm by poses alone, as its controller reads them from the module that would be written;
+/// nothing if the module is not read back, as with a tool other than that of the arm's description.
+std::optional<StatedMotion> motionByPoses(const JointProgram& planned, const RapidSettings& settings,
+                                          const Eigen::Isometry3d& bed_from_part) {
+  const RobotMotion motion{*planned.model, planned.joints};
+  const RapidProgram program(planned.toolpath, bed_from_part, settings, &motion);
+  std::vector<std::string> texts(program.moduleNames().size());
+  std::vector<RapidText> modules;
+  modules.reserve(texts.size());
+  for (std::size_t m = 0; m < texts.size(); ++m) {
+    program.write(m, [&text = texts[m]](std::string_view piece) { text.append(piece); });
+    modules.push_back({program.moduleNames()[m] + ".mod", texts[m]});
+  }
+  try {
+    return readRapidMotion(modules, planned.toolpath.part_name, *planned.model);
+  } catch (const InvalidProgram&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether an arm goes by poses alone as it was planned to.
+bool isAsPlanned(const StatedMotion& motion, const JointPath& planned) {
+  const auto isAlike = [](const JointValues& one, const JointValues& other) {
+    return one.size() == other.size() && (one - other).cwiseAbs().maxCoeff() <= kSameJoints;
+  };
+  return std::equal(motion.joints.values.begin(), motion.joints.values.end(), planned.values.begin(),
+                    planned.values.end(), isAlike);
+}
+
+/// What stands in the way of an arm that goes by poses alone.
+MachineCheck checkByPoses(const JointProgram& planned, const SliceJob& job, const SlicedPart& sliced,
+                          const JointPathSettings& settings, Progress& progress) {
+  std::optional<StatedMotion> motion =
+      motionByPoses(planned, job.settings.program.rapid, sliced.bed_from_part);
+  if (!motion || isAsPlanned(*motion, planned.joints)) return {};
+  const CheckedMachine machine(*planned.model);
+  return checkRun(runAsStated(*planned.model, *std::move(motion), settings), machine, job.settings.clearance,
+                  progress);
+}
+
+std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
+                                    SlicedPart& sliced, Progress& progress);
+
+/// A program that states configurations, for an arm that would not get through by poses alone.
+std::optional<JointProgram> planConfigured(std::unique_ptr<KinematicModel> arm, const MachineCheck& by_poses,
+                                           const SliceJob& job, SlicedPart& sliced, Progress& progress) {
+  SliceJob configured = job;
+  configured.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  std::optional<JointProgram> program = planArm(std::move(arm), configured, sliced, progress);
+  program->needs_configurations = true;
+  sliced.summary.notes.push_back(
+      "the program states the arm's configurations, as with rapid.configuration joints: by poses alone the "
+      "arm, which takes the joints nearest to those before, could not run it at " +
+      std::to_string(by_poses.faults.size() + by_poses.collisions.size()) + " waypoints");
+  return program;
+}
+
 std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
                                     SlicedPart& sliced, Progress& progress) {
   const JointPathSettings settings = jointsOf(job, *arm);
@@ -260,7 +320,15 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
   const bool is_stated = statesJoints(job, *arm);
   KinematicModelRun run = runnable(*arm, job, sliced, settings, progress);
   const auto time = timeOf(run, *arm, job.settings);
-  if (!is_stated) return JointProgram{std::move(arm), sliced.toolpath, atWaypointsAskedFor(run), time};
+  if (!is_stated) {
+    JointProgram planned{std::move(arm), sliced.toolpath, atWaypointsAskedFor(run), time};
+    if (job.settings.clearance.need == ClearanceNeed::Never ||
+        job.settings.program.rapid.variant != RapidVariant::Powder5Axes)
+      return planned;
+    const MachineCheck check = checkByPoses(planned, job, sliced, settings, progress);
+    if (check.isClear()) return planned;
+    return planConfigured(std::move(planned.model), check, job, sliced, progress);
+  }
   ToolpathAsRun as_run = toolpathAsRun(std::move(run), *arm);
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints), time};
 }

@@ -21,6 +21,8 @@ struct JointProgram {
   Toolpath toolpath;            ///< with waypoints inserted as `runOn` does; for an arm as in `toolpathAsRun`
   JointPath joints;             ///< joint path of the toolpath
   std::optional<RunTime> time;  ///< of the run within the limits of the joints; nothing if a limit is unknown
+  /// Whether targets in RAPID have to state configurations, whatever `rapid.configuration` is.
+  bool needs_configurations = false;
 };
 
 /// How the joints of a job's program are planned: `joints.*`, with the rotation about the tool axis held
@@ -50,8 +52,9 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// Plans the joints of a five-axis machine that writes five-axis G-code, or of an arm that writes RAPID;
 /// nothing for all other jobs. The program of an arm states joints if `rapid.configuration` asks for them or
 /// the arm has external axes; its targets then turn about the tool axis as the joints do. Otherwise the
-/// joints are planned for the targets of the toolpath, and these are written unchanged.
-/// Where a collision is found, the tool axis is raised (`clearance.raise_tool_axis`), which changes the
+/// joints are planned for the targets of the toolpath, and these are written unchanged, unless the arm, which
+/// by poses alone takes the joints nearest to those before, would not get through: then they state joints
+/// too. Where a collision is found, the tool axis is raised (`clearance.raise_tool_axis`), which changes the
 /// toolpath in `sliced` and is noted in its summary. What `clearance.need` requires is checked.
 /// @param progress  stages "joints" and "clearance"
 /// @throws Unreachable if the machine cannot run the toolpath, with the first waypoint and the number of

@@ -108,6 +108,8 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   ProgramSettings program =
       startedFor(job.settings.planning.first_layer, codeFor(job.settings.program, joint_program));
   program.strategy = job.settings.planning.infill.strategy;
+  if (joint_program && joint_program->needs_configurations)
+    program.rapid.configuration = RapidConfiguration::Joints;
   for (const Tool& tool : toolsOf(job.settings.planning.tools))
     program.tool_offsets_mm.push_back(tool.offset_mm);
   ProgramFrame frame(sliced.bed_from_part);
