@@ -125,6 +125,11 @@ void requireStated(const JointPathSettings& joints, const SliceJob& job, const K
                         ", which reports external axes at one point only; expected held, or powder_5_axes");
 }
 
+/// Whether the output is what a machine that turns the tool axis is driven by, without a program of its own.
+bool statesPoses(const SliceJob& job) {
+  return isToolpathFile(job.output) && canTurnToolAxis(buildSpaceOf(job.settings.machine));
+}
+
 bool isProgram(const SliceJob& job) { return isGcodeFile(job.output) || isRobotFile(job.output); }
 
 /// Of what no joints are led for.
@@ -373,17 +378,20 @@ bool isRefusedUnlessClear(const SliceJob& job) {
     case ClearanceNeed::Always:
       return !job.output.empty();
     case ClearanceNeed::Turning:
-      return isProgram(job);
+      return isProgram(job) || statesPoses(job);
   }
   return false;
 }
 
 std::string noteOnUnchecked(const SliceJob& job) {
-  if (job.output.empty() || job.settings.clearance.need == ClearanceNeed::Never || isRefusedUnlessClear(job))
+  const JobSettings& settings = job.settings;
+  const bool are_plane_poses = settings.clearance.need == ClearanceNeed::Turning && !isProgram(job) &&
+                               hasPlaneLayers(settings.slicing.mode);
+  if (job.output.empty() || settings.clearance.need == ClearanceNeed::Never ||
+      (isRefusedUnlessClear(job) && !are_plane_poses))
     return "";
   return "it was not checked whether the machine runs into bed, part or itself: '" + job.output +
-         "' is no program of it (clearance.need turning); '" +
-         checkCommand(job.output, job.settings.machine) +
+         "' is no program of it (clearance.need turning); '" + checkCommand(job.output, settings.machine) +
          "' tells, and with clearance.need always only what is clear is written";
 }
 
