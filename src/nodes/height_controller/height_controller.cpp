@@ -44,6 +44,7 @@ LoopRunSettings calibratedRun(const HeightControllerSettings& settings) {
 HeightController::HeightController(ros::NodeHandle node, const HeightControllerSettings& settings)
     : settings_(settings),
       topics_(node),
+      alarms_(node),
       feed_(calibratedRun(settings), settings.queue_mb),
       hold_(settings.arrival_hold_s),
       memory_(settings.memory_file),
@@ -322,6 +323,7 @@ void HeightController::publishNews() {
       memory_.forget();
     }
   }
+  alarms_.settle(feed_.run() == nullptr ? std::vector<RaisedAlarm>() : feed_.run()->standing());
   topics_.publish(toMessage(feed_.run()));
 }
 
@@ -333,6 +335,7 @@ void HeightController::report(const PrintPlan& plan) {
 
 void HeightController::report(const RaisedAlarm& alarm) {
   ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
+  alarms_.raise(alarm);
   if (!holdsPrint(alarm, settings_)) return;
   topics_.publish(toMessage(feed_.run()));
   ROS_WARN("%s", print_hold_.hold().c_str());
