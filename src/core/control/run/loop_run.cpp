@@ -167,7 +167,7 @@ void LoopRun::missMap(const MissedMap& missed) {
   }
   if (missed.held_from)
     return layMapFrom(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
-  const bool is_otherwise = !laid_->isAsPlanned();
+  const bool is_otherwise = !laid_->isWhollyMissed() && !laid_->isAsPlanned();
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
@@ -224,7 +224,7 @@ bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reas
 void LoopRun::layMapFrom(std::size_t cell) {
   if (cell == 0 && !laid_->isMapMissed()) return;
   trim_.reset();
-  laid_->layMapFrom(loop_->cells(), cell);
+  laid_->layMapFrom(loop_->cells(), cell, settings_.loop);
   loop_->relay(laid_->correction());
 }
 
