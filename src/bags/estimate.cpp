@@ -141,6 +141,19 @@ nlohmann::ordered_json jsonOf(const PrintPlan& plan) {
   return {{"toolpath_id", plan.part.toolpath_id}, {"layer", plan.layer}, {"reason", plan.reason}};
 }
 
+nlohmann::ordered_json jsonOf(const PointCounts& points) {
+  return {{"received", points.received},
+          {"used", points.used},
+          {"trimmed", points.trimmed},
+          {"not_finite", points.not_finite},
+          {"outside_window", points.outside_window},
+          {"spray", points.spray},
+          {"off_path", points.off_path},
+          {"grazing", points.grazing},
+          {"beside_crown", points.beside_crown},
+          {"mirrored", points.mirrored}};
+}
+
 nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
   nlohmann::ordered_json plans = nlohmann::ordered_json::array();
   for (const PrintPlan& plan : print.plans) plans.push_back(jsonOf(plan));
@@ -166,6 +179,9 @@ nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
           {"clouds_of_former_print", print.feed.of_former_print},
           {"readings_used", print.counts.readings_used},
           {"readings_contested", print.counts.readings_contested},
+          {"readings_believed", print.counts.readings_believed},
+          {"readings_below", print.counts.readings_below},
+          {"points", jsonOf(print.counts.points)},
           {"trims_refused", print.counts.trims_refused}};
 }
 

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/pressed_law.hpp"
@@ -53,6 +55,27 @@ TEST(LayerLaw, KeepsTheVolumeOfALayer) {
   EXPECT_EQ(law.limited_share, 1.0);
 }
 
+/// Of cells that are all alike.
+double meanOf(const std::vector<double>& amount) {
+  return std::accumulate(amount.begin(), amount.end(), 0.0) / static_cast<double>(amount.size());
+}
+
+/// A peak on flat ground, at speeds at which the feeder cannot follow it: 12 of 80 cells ask for 0.5, all
+/// others for 0.1. What the peak loses its surroundings get, and no more.
+TEST(LayerLaw, KeepsTheVolumeWhereTheFeederCannotFollow) {
+  LayerCells cells = test::straightBeads({0.0}, 40.0, 0.5);
+  std::vector<double> wanted(cells.size(), 0.1);
+  std::fill_n(wanted.begin() + 34, 12, 0.5);
+  for (const double speed : {30.0, 60.0}) {
+    cells.speed_mm_s.assign(cells.size(), speed);
+    const LayerCorrection law = limitedCorrection(cells, wanted, LoopSettings());
+    EXPECT_NEAR(meanOf(law.amount), (68.0 * 0.1 + 12.0 * 0.5) / 80.0, 1e-9) << speed;
+    EXPECT_LT(law.amount.front(), 0.15) << speed;
+    EXPECT_GT(law.amount[40], law.amount.front()) << speed;
+    EXPECT_EQ(law.limited_share, 0.0);
+  }
+}
+
 LayerKnowledge anyKnowledge(const LayerCells& cells) {
   LayerKnowledge known;
   const auto any = rc::gen::inRange(-3000, 3000);
@@ -86,6 +109,7 @@ TEST(LayerLaw, StaysWithinAmountAndSlope) {
     settings.low_pass_mm = *rc::gen::element(0.01, 1.0, 3.0);
     const LayerCorrection law = freeCorrection(cells, anyKnowledge(cells), settings);
     requireWithin(cells, law.amount, settings);
+    RC_ASSERT(std::abs(meanOf(law.amount)) <= settings.layer_volume + kRounding);
     requireWithin(cells, ledCorrection(cells, law.amount, {0.3, 0.2}, settings), settings);
   }));
 }

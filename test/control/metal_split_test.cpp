@@ -88,17 +88,5 @@ TEST(MetalSplit, RefusesWhatLeavesNoSpeed) {
   EXPECT_THROW(metalSplit(cells, halves(cells), PowerSource::Follows, settings), InvalidConfig);
 }
 
-TEST(InterpassDwell, IsTheTimeAWallCools) {
-  const auto dwell = [](const CoolingWall& wall, double interpass_c) {
-    LoopSettings settings;
-    settings.interpass_c = interpass_c;
-    return interpassDwell(wall, settings);
-  };
-  EXPECT_NEAR(dwell({420.0, 20.0, 60.0}, 220.0).value(), 60.0 * std::log(2.0), 1e-9);
-  EXPECT_EQ(dwell({150.0, 20.0, 60.0}, 200.0).value(), 0.0);
-  EXPECT_FALSE(dwell({150.0, 30.0, 60.0}, 25.0));
-  EXPECT_EQ(dwell({150.0, 30.0, 60.0}, 0.0).value(), 0.0) << "none is asked for";
-}
-
 }  // namespace
 }  // namespace lamina

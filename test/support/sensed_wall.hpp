@@ -203,12 +203,24 @@ class SensedWallPrinter {
   }
 
   double amountAt(std::size_t layer, std::size_t place) const {
-    if (misses(layer) && !(static_cast<double>(place) >= wall_.missed_mm.value_or(1e9))) return 0.0;
+    if (!misses(layer)) return mappedAt(layer, static_cast<double>(place));
+    // From what the layer before ended with to nothing, and from there to the map, as fast as the feeder is.
+    const double along = static_cast<double>(place);
+    const double missed = std::min(along, wall_.missed_mm.value_or(1e9));
+    const double before = layer > 0 ? amountAt(layer - 1, places() - 1) : 0.0;
+    const double steepest = wall_.settings.loop.feeder_rate_s / wall_.speed_mm_s;
+    const double faded = before - std::clamp(before, -steepest * missed, steepest * missed);
+    if (missed == along) return faded;
+    const double most = steepest * (along - missed);
+    return faded + std::clamp(mappedAt(layer, along) - faded, -most, most);
+  }
+
+  double mappedAt(std::size_t layer, double along_mm) const {
     const CorrectionMap* latest = nullptr;
     for (const CorrectionMap& map : printed_.maps)
       if (map.layer == layer && map.toolpath_id == toolpath_id_) latest = &map;
     if (latest == nullptr || latest->paths.empty()) return 0.0;
-    return correctionAt(latest->paths[0], static_cast<double>(place)).amount;
+    return correctionAt(latest->paths[0], along_mm).amount;
   }
 
   /// Straight from pose to pose; profiles halfway between them and at them.

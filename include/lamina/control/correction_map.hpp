@@ -39,6 +39,9 @@ struct CorrectionMap {
   std::vector<PathCorrection> paths;  ///< ascending by `path`
 };
 
+/// Whether a path with these corrections is deposited as planned.
+bool isNone(const PathCorrection& correction);
+
 /// The correction at a distance from the start of the path [mm]; none if the path has no stations.
 PointCorrection correctionAt(const PathCorrection& path, double along_mm);
 

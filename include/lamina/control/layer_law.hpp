@@ -36,10 +36,16 @@ LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& kn
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings);
 
-/// The wanted amounts, limited in value, then in volume of the layer, then in slope. Amounts that are not
-/// finite become 0.
+/// The wanted amounts, limited in value, then in volume of the layer, then in slope, which leaves each run
+/// its volume. Amounts that are not finite become 0.
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
+
+/// Commands that a feeder can follow: the wanted ones, limited in value and in slope. An edge is cut on both
+/// of its sides alike, so that it stays where it is; the volume of a run may change for that. Values that are
+/// not finite become 0.
+std::vector<double> followedCommands(const LayerCells& cells, const std::vector<double>& wanted,
+                                     const LoopSettings& settings);
 
 /// The greatest slope of the amount along a path that the feeder can follow at a speed [1/mm]; infinite at
 /// speed 0.

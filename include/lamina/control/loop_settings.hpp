@@ -70,7 +70,6 @@ struct LoopSettings {
   double least_speed_mm_s = 3.0;
   double greatest_speed_mm_s = 17.0;
   double heat = 0.15;          ///< greatest relative change of the heat per length, power over speed
-  double interpass_c = 0.0;    ///< temperature to wait for before a layer; 0 for none
   double part_learning = 0.5;  ///< share of the remaining error that is corrected from part to part
 };
 

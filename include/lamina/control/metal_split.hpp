@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "lamina/control/layer_law.hpp"
@@ -32,16 +31,5 @@ enum class PowerSource { Fixed, Follows };
 /// @throws InvalidInput if at a planned speed no speed meets both limits
 MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& amount, PowerSource source,
                            const LoopSettings& settings);
-
-/// A wall that cools exponentially towards the ambient temperature.
-struct CoolingWall {
-  double temperature_c = 20.0;
-  double ambient_c = 20.0;
-  double cooling_s = 60.0;  ///< time constant
-};
-
-/// Time until a wall has cooled to the interpass temperature of the settings [s]; 0 if it has already or none
-/// is set; nothing if it never will, as the ambient temperature is not lower.
-std::optional<double> interpassDwell(const CoolingWall& wall, const LoopSettings& settings);
 
 }  // namespace lamina

@@ -30,6 +30,11 @@ enum class LoopAlarm : std::uint16_t {
   MapLate = 6116        ///< a layer's map did not arrive in time, or was not applied
 };
 
+/// Whether the cause of an alarm lasts until it is seen to be gone (6101, 6102, 6103, 6105); that of any
+/// other has happened, and is over. A lump is among the latter: that it was taken off shows before the next
+/// layer, for which a print that is held waits.
+bool isCondition(LoopAlarm alarm);
+
 /// The reaction to an alarm.
 enum class LoopReaction : std::uint8_t {
   Warn,
@@ -71,6 +76,11 @@ struct LoopStatus {
   double mean_error_mm = 0.0;
   double rmse_mm = 0.0;
 };
+
+/// Whether the loop judges what happens: not while it is off or blocked.
+bool isRunning(LoopState state);
+/// Whether so many layers running were not measured that the loop does not go on by itself.
+bool isSightLost(const LoopStatus& status);
 
 /// The status after an event, and the alarms that it raised.
 struct LoopStep {

@@ -37,6 +37,10 @@ class TrailingTrim {
   /// @return the trim to add to the amount from here on
   double advance(std::optional<double> relative_error);
 
+  /// Sets the trim that acts from here on in the place of the one that `advance` has given, as it does not
+  /// fit some bound of the caller's: what was cut is not expected to show.
+  void replace(double trim);
+
   /// The present trim.
   double trim() const { return trim_; }
 

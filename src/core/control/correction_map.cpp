@@ -73,6 +73,11 @@ double valueOr(const std::vector<double>& values, std::size_t i) { return values
 
 }  // namespace
 
+bool isNone(const PathCorrection& correction) {
+  return std::all_of(correction.stations.begin(), correction.stations.end(),
+                     [](const PointCorrection& place) { return place.isNone(); });
+}
+
 PointCorrection correctionAt(const PathCorrection& path, double along_mm) {
   if (path.stations.empty()) return {};
   const double place = std::max(0.0, along_mm / path.spacing_mm - 0.5);

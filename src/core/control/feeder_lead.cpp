@@ -7,13 +7,6 @@
 namespace lamina {
 namespace {
 
-/// The volume was bounded where it arrives.
-LoopSettings withoutVolumeBound(const LoopSettings& settings) {
-  LoopSettings unbounded = settings;
-  unbounded.layer_volume = amountRange(settings) + 1.0;
-  return unbounded;
-}
-
 const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
   const auto found = std::find_if(map.paths.begin(), map.paths.end(),
                                   [path](const PathCorrection& each) { return each.path == path; });
@@ -62,7 +55,7 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
   for (std::size_t i = 0; i + 1 < amount.size() && feeder.lag_s > 0.0; ++i)
     commands.amount[i] +=
         feeder.lag_s * (amount[i + 1] - amount[i]) / (commands.time_s[i + 1] - commands.time_s[i]);
-  commands.amount = limitedCorrection(cells, commands.amount, withoutVolumeBound(settings)).amount;
+  commands.amount = followedCommands(cells, commands.amount, settings);
   for (double& time_s : commands.time_s) time_s -= feeder.dead_time_s;
   return commands;
 }
@@ -84,7 +77,7 @@ std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<dou
     led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
   // What is commanded for the next run while this one is deposited must not step either.
-  return limitedCorrection(cells, led, withoutVolumeBound(settings)).amount;
+  return followedCommands(cells, led, settings);
 }
 
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "lamina/control/path_low_pass.hpp"
 
@@ -46,15 +48,47 @@ void boundSlope(double* values, const std::vector<double>& steps, bool is_closed
   }
 }
 
-/// Midway between the flat functions below and above, which is as flat as they are.
-void limitSlope(std::vector<double>& amount, const LayerCells& cells, double feeder_rate_s) {
+/// Share of the way from the function below to the one above that has the volume asked for.
+double shareOfWay(const LayerCells& cells, const CellRun& run, const double* wanted, const double* below,
+                  const double* above) {
+  double asked = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const double section = cells.height_mm[run.first + i] * cells.width_mm[run.first + i];
+    asked += section * (wanted[i] - below[i]);
+    whole += section * (above[i] - below[i]);
+  }
+  return whole > 0.0 ? std::clamp(asked / whole, 0.0, 1.0) : 0.0;
+}
+
+/// What each run gets between the flat functions below and above it, which is as flat as they are.
+enum class SlopeLimit : std::uint8_t {
+  Midway,     ///< an edge stays where it is
+  SameVolume  ///< a peak raises the rest by no more than it loses
+};
+
+void limitSlope(std::vector<double>& amount, const LayerCells& cells, double feeder_rate_s,
+                SlopeLimit limit) {
+  std::vector<double> below = amount;
   std::vector<double> above = amount;
   for (const CellRun& run : cells.runs) {
     const std::vector<double> steps = greatestSteps(cells, run, feeder_rate_s);
-    boundSlope(amount.data() + run.first, steps, run.is_closed, 1.0);
-    boundSlope(above.data() + run.first, steps, run.is_closed, -1.0);
+    double* const asked = amount.data() + run.first;
+    double* const least = below.data() + run.first;
+    double* const most = above.data() + run.first;
+    boundSlope(least, steps, run.is_closed, 1.0);
+    boundSlope(most, steps, run.is_closed, -1.0);
+    const double share = limit == SlopeLimit::Midway ? 0.5 : shareOfWay(cells, run, asked, least, most);
+    for (std::size_t i = 0; i < run.count; ++i) asked[i] = least[i] + share * (most[i] - least[i]);
   }
-  for (std::size_t i = 0; i < amount.size(); ++i) amount[i] = 0.5 * (amount[i] + above[i]);
+}
+
+std::vector<double> limitedInValue(std::vector<double> wanted, const LoopSettings& settings) {
+  for (double& amount : wanted) {
+    if (!std::isfinite(amount)) amount = 0.0;
+    amount = std::clamp(amount, settings.least_amount, settings.greatest_amount);
+  }
+  return wanted;
 }
 
 double volumeChange(const LayerCells& cells, const std::vector<double>& amount) {
@@ -87,18 +121,21 @@ double greatestSlope(double feeder_rate_s, double speed_mm_s) {
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings) {
   LayerCorrection correction;
-  correction.amount = wanted;
-  for (double& amount : correction.amount) {
-    if (!std::isfinite(amount)) amount = 0.0;
-    amount = std::clamp(amount, settings.least_amount, settings.greatest_amount);
-  }
+  correction.amount = limitedInValue(wanted, settings);
   const double change = volumeChange(cells, correction.amount);
   if (std::abs(change) > settings.layer_volume)
     for (double& amount : correction.amount) amount *= settings.layer_volume / std::abs(change);
   // A slope is no want that is not met: it is counted before.
   correction.limited_share = shareOfLength(cells, wanted, correction.amount);
-  limitSlope(correction.amount, cells, settings.feeder_rate_s);
+  limitSlope(correction.amount, cells, settings.feeder_rate_s, SlopeLimit::SameVolume);
   return correction;
+}
+
+std::vector<double> followedCommands(const LayerCells& cells, const std::vector<double>& wanted,
+                                     const LoopSettings& settings) {
+  std::vector<double> commands = limitedInValue(wanted, settings);
+  limitSlope(commands, cells, settings.feeder_rate_s, SlopeLimit::Midway);
+  return commands;
 }
 
 LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& known,

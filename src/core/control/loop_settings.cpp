@@ -48,8 +48,6 @@ void describeMachine(SettingsSchema& schema, LoopSettings& settings) {
   schema.number("loop.greatest_speed_mm_s", settings.greatest_speed_mm_s, {0.01, 1e5},
                 "Greatest travel speed that a correction may ask for.");
   schema.number("loop.heat", settings.heat, {0.0, 1.0}, "Greatest relative change of the heat per length.");
-  schema.number("loop.interpass_c", settings.interpass_c, {0.0, 2000.0},
-                "Temperature that a layer waits for; 0 for none.");
 }
 
 void describeSupervision(SettingsSchema& schema, LoopSettings& settings) {

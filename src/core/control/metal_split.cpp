@@ -63,11 +63,4 @@ MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& a
   return split;
 }
 
-std::optional<double> interpassDwell(const CoolingWall& wall, const LoopSettings& settings) {
-  const double interpass_c = settings.interpass_c;
-  if (interpass_c == 0.0 || wall.temperature_c <= interpass_c) return 0.0;
-  if (interpass_c <= wall.ambient_c) return std::nullopt;
-  return wall.cooling_s * std::log((wall.temperature_c - wall.ambient_c) / (interpass_c - wall.ambient_c));
-}
-
 }  // namespace lamina

@@ -30,8 +30,6 @@ std::string value(double number, const char* unit) {
   return text;
 }
 
-bool isRunning(LoopState state) { return state != LoopState::Off && state != LoopState::Blocked; }
-
 void coast(LoopStep& step, CoastingFor why, const std::string& reason) {
   if (!isCorrecting(step.status.state)) return;
   // What only the operator ends is not ended by sight.
@@ -55,7 +53,7 @@ void missLayer(LoopStep& step, const LoopSettings& settings) {
   LoopStatus& status = step.status;
   ++status.unmeasured_layers;
   coast(step, CoastingFor::Sight, "the layer was not measured");
-  if (status.unmeasured_layers < kLayersRunning || !isCorrecting(status.state)) return;
+  if (!isSightLost(status) || !isCorrecting(status.state)) return;
   const std::string reason = std::to_string(status.unmeasured_layers) + " layers running were not measured";
   if (settings.on_loss == LossOfSight::Hold)
     return raise(step, LoopAlarm::Silent, LoopReaction::Hold, reason);
@@ -151,6 +149,15 @@ std::string stuckReason(const SensorWatch& watch) {
 }
 
 }  // namespace
+
+bool isCondition(LoopAlarm alarm) {
+  return alarm == LoopAlarm::Silent || alarm == LoopAlarm::NoTransform || alarm == LoopAlarm::Stuck ||
+         alarm == LoopAlarm::TimeOffset;
+}
+
+bool isRunning(LoopState state) { return state != LoopState::Off && state != LoopState::Blocked; }
+
+bool isSightLost(const LoopStatus& status) { return status.unmeasured_layers >= kLayersRunning; }
 
 bool isStuck(int profiles, double variance_mm2) {
   return profiles >= kStuckProfiles && !(variance_mm2 >= kStuckVariance);

@@ -47,4 +47,10 @@ double TrailingTrim::advance(std::optional<double> relative_error) {
   return trim_;
 }
 
+void TrailingTrim::replace(double trim) {
+  trim_ = trim;
+  const std::size_t count = under_way_.size();
+  under_way_[(next_ + count - 1) % count] = trim;
+}
+
 }  // namespace lamina

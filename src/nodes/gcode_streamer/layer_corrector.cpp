@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layer_corrector.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/control/fading_map.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/planned_correction.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
@@ -76,6 +78,7 @@ void LayerCorrector::takeTrim(std::uint64_t line) {
   const std::optional<Trim> trim = std::exchange(trim_, std::nullopt);
   if (!trim || !trims(trim->map)) return;
   corrector_.trim(trim->led);
+  last_amount_ = lastAmount(trim->map, toolpath_.toolpath.layers[trim->map.layer]);
   const AppliedRow row = laterRow(trim->map, line);
   record_.add(row);
   decisions_.push_back({row.layer, row.sequence, row.digest, {}, 0.0, line, true});
@@ -128,13 +131,37 @@ CorrectionMap LayerCorrector::led(const CorrectionMap& map) const {
   return ready;
 }
 
+void LayerCorrector::use(const CorrectionMap& map, const CorrectionMap& ready) {
+  corrector_.add(ready);
+  last_amount_ = lastAmount(map, toolpath_.toolpath.layers[map.layer]);
+  for (const PathCorrection& path : map.paths) station_mm_ = std::min(station_mm_, path.spacing_mm);
+}
+
+/// A step would ask of the feeder what it cannot follow. For one with a delay, what it gets at the end of the
+/// layer before was commanded for a beginning that this layer does not have: nothing is known to fade from.
+/// @return the digest of the map by which the amount fades; empty if there is nothing to fade
+std::string LayerCorrector::fade(std::size_t layer) {
+  if (last_amount_ == 0.0 || settings_.loop.dead_time_s > 0.0 || settings_.loop.lag_s > 0.0) return {};
+  try {
+    CorrectionMap map =
+        fadingMap(toolpath_.toolpath.layers[layer], layer, last_amount_, station_mm_, settings_.loop);
+    map.toolpath_id = toolpath_.id;
+    use(map, led(map));
+    std::string digest = digestOf(map);
+    record_.keep({layer, 0, digest}, map);
+    return digest;
+  } catch (const Error&) {
+    return {};  // it begins as planned
+  }
+}
+
 /// A map that cannot be applied leaves its layer as planned: the print goes on.
 void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   const std::size_t layer = decision.layer;
   decision.from_line = next_line_;
   try {
     if (map != nullptr) {
-      corrector_.add(led(*map));
+      use(*map, led(*map));
       decision.sequence = map->sequence;
       decision.digest = digestOf(*map);
       record_.keep({layer, map->sequence, decision.digest}, *map);
@@ -142,7 +169,8 @@ void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   } catch (const Error& error) {
     decision.refusal = error.what();
   }
-  record_.add({layer, decision.sequence, decision.digest, decision.from_line});
+  const std::string digest = decision.digest.empty() ? fade(layer) : decision.digest;
+  record_.add({layer, decision.sequence, digest, decision.from_line});
   decisions_.push_back(std::move(decision));
   awaited_.reset();
   trim_.reset();

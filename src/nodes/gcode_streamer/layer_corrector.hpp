@@ -35,8 +35,9 @@ struct LayerDecision {
 enum class FirstMap { AsPlanned, Awaited };
 
 /// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
-/// layer each waits for its map. Maps may come from any thread; the latest that is there when a layer is
-/// decided holds, and later ones of a layer that is deposited by a map from the next line of the program on.
+/// layer each waits for its map; on one that begins without, the amount of the layer before fades to 0. Maps
+/// may come from any thread; the latest that is there when a layer is decided holds, and later ones of a
+/// layer that is deposited by a map from the next line of the program on.
 class LayerCorrector final : public ProgramRevision {
  public:
   /// Reads the program once, so that what cannot be corrected is refused before it begins.
@@ -85,6 +86,8 @@ class LayerCorrector final : public ProgramRevision {
   std::string hearTrim(CorrectionMap map);
   void takeTrim(std::uint64_t line);
   void apply(LayerDecision decision, const CorrectionMap* map);
+  void use(const CorrectionMap& map, const CorrectionMap& ready);
+  std::string fade(std::size_t layer);
 
   const ProgrammedToolpath toolpath_;
   const StreamCorrectionSettings settings_;
@@ -98,6 +101,8 @@ class LayerCorrector final : public ProgramRevision {
   std::optional<Trim> trim_;                    ///< of the layer under way, not applied yet
   std::vector<LayerDecision> decisions_;
   std::uint64_t next_line_ = 1;         ///< to be revised
+  double last_amount_ = 0.0;            ///< by which the layers decided so far end
+  double station_mm_ = 1.0;             ///< least distance of stations in the last map
   std::optional<std::size_t> awaited_;  ///< layer
   bool is_planning_ = false;
 };

@@ -12,6 +12,7 @@
 #include "lamina/control/report/loop_report.hpp"
 #include "lamina/control/run/run_calibration.hpp"
 #include "loop/loop_messages.hpp"
+#include "loop_diagnostics.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
@@ -44,6 +45,7 @@ LoopRunSettings calibratedRun(const HeightControllerSettings& settings) {
 HeightController::HeightController(ros::NodeHandle node, const HeightControllerSettings& settings)
     : settings_(settings),
       topics_(node),
+      alarms_(node),
       feed_(calibratedRun(settings), settings.queue_mb),
       hold_(settings.arrival_hold_s),
       memory_(settings.memory_file),
@@ -322,6 +324,7 @@ void HeightController::publishNews() {
       memory_.forget();
     }
   }
+  alarms_.settle(feed_.run() == nullptr ? std::vector<RaisedAlarm>() : feed_.run()->standing());
   topics_.publish(toMessage(feed_.run()));
 }
 
@@ -333,6 +336,7 @@ void HeightController::report(const PrintPlan& plan) {
 
 void HeightController::report(const RaisedAlarm& alarm) {
   ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
+  alarms_.raise(alarm);
   if (!holdsPrint(alarm, settings_)) return;
   topics_.publish(toMessage(feed_.run()));
   ROS_WARN("%s", print_hold_.hold().c_str());
@@ -393,29 +397,7 @@ void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& sta
   status.summary(
       is_well ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
       std::string(toString(state)) + (run->status().reason.empty() ? "" : ": ") + run->status().reason);
-  const FeedCounts& feed = feed_.counts();
-  status.add("clouds received", feed.received);
-  status.add("clouds placed", feed.placed);
-  status.add("clouds waiting for tf", feed.waiting);
-  status.add("clouds without frame or stamp", feed.without_frame);
-  status.add("clouds of sensors without time offset", feed.without_offset);
-  status.add("last sensor without time offset", feed.last_without_offset);
-  status.add("clouds malformed", feed.malformed);
-  status.add("last malformed cloud", feed.last_fault);
-  status.add("clouds without transform", feed.without_transform);
-  status.add("clouds pushed out", feed.pushed_out);
-  status.add("clouds of the print before", feed.of_former_print);
-  const LoopCounts& counts = run->counts();
-  status.add("clouds read", counts.clouds_read);
-  status.add("clouds late", counts.clouds_late);
-  status.add("clouds of a stuck sensor", counts.clouds_stuck);
-  status.add("readings used", counts.readings_used);
-  status.add("readings contested", counts.readings_contested);
-  status.add("readings believed", counts.readings_believed);
-  status.add("further maps not used", counts.trims_refused);
-  status.add("points received", counts.points.received);
-  status.add("points used", counts.points.used);
-  status.add("points on no deposited cell", counts.points.off_path);
+  addCounts(feed_.counts(), run->counts(), status);
   status.add("layer", run->place().layer);
 }
 

@@ -22,6 +22,7 @@
 #include "lamina/control/report/loop_record.hpp"
 #include "loop/loop_feed.hpp"
 #include "loop/part_watch.hpp"
+#include "loop_alarms.hpp"
 #include "node_diagnostics.hpp"
 #include "print_hold.hpp"
 #include "print_memory.hpp"
@@ -32,7 +33,8 @@ namespace lamina {
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
-/// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), /diagnostics
+/// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), alarm_reports
+///             (lamina/AlarmReport), /diagnostics
 /// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger), and those of CellCalibrator
 /// Calls       pause (std_srvs/Trigger) where an alarm holds the print
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
@@ -78,6 +80,7 @@ class HeightController {
   std::vector<std::string> known_;     ///< of clock, place and feeder, and whence
   SteadyClock clock_;
   ControllerTopics topics_;
+  LoopAlarms alarms_;
   LoopFeed feed_;
   ArrivalHold hold_;
   PrintHold print_hold_;

@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
+#include <cstdint>
 
 #include "messages.hpp"
 #include "names.hpp"
@@ -14,6 +15,8 @@
 namespace lamina {
 namespace {
 
+constexpr std::uint8_t kNotInThisState = 2;
+
 PrintHold::Answer holdUnit() {
   lamina_msgs::PackmlCommand hold;
   hold.request.command = lamina_msgs::PackmlCommand::Request::HOLD;
@@ -21,6 +24,9 @@ PrintHold::Answer holdUnit() {
   hold.request.expected_sequence = -1;
   if (!callService(names::kPackmlCommand, hold)) return {false, "the unit did not answer to Hold"};
   if (hold.response.message.empty()) return {true, "the unit holds the print"};
+  // Mostly since it holds already, by the alarm that was reported to it.
+  if (hold.response.result == kNotInThisState)
+    return {true, "the unit takes no Hold: " + hold.response.message};
   return {false, "the print is not held: " + hold.response.message};
 }
 

@@ -36,6 +36,23 @@ std::string defectOfSpeeds(const CorrectionMap& map) {
   return {};
 }
 
+void feed(ProcessSignals& process, double times) {
+  process.flow_mm3_s *= times;
+  for (const ProcessLevel level : kAllProcessLevels)
+    if (followsSpeed(level)) process.levels[level] *= times;
+}
+
+/// The value at a time of the chunk before; 0 before the first.
+double handedOver(const std::vector<std::pair<double, double>>& values, double time_s) {
+  if (values.empty()) return 0.0;
+  const auto after = std::lower_bound(values.begin(), values.end(), std::make_pair(time_s, -1e300));
+  if (after == values.begin()) return values.front().second;
+  if (after == values.end()) return values.back().second;
+  const auto before = after - 1;
+  const double part = (time_s - before->first) / (after->first - before->first);
+  return before->second + part * (after->second - before->second);
+}
+
 }  // namespace
 
 ChunkCorrection::ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& settings,
@@ -67,7 +84,10 @@ void ChunkCorrection::tellMapOf(std::size_t layer, const std::string& digest) {
   const bool is_trim = !reported.digest.empty();
   reported.digest = digest;
   if (is_trim) return;
-  if (handed_layer_ == layer) reported.held_from = handed_;
+  if (handed_layer_ == layer) {
+    reported.held_from = handed_;
+    late_ = layer;
+  }
   layers_.push_back({driven_.id, digest, {layer, 0.0, {}, reported.held_from}});
 }
 
@@ -100,12 +120,16 @@ void ChunkCorrection::missUnreported(std::size_t end) {
 void ChunkCorrection::noteHandedOver(const TrajectoryChunk& chunk) {
   for (auto point = chunk.points.rbegin(); point != chunk.points.rend(); ++point) {
     const WaypointIndex& at = point->heading_for;
-    if (driven_.toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel) continue;
+    if (isTravel(at)) continue;
     missUnreported(at.layer);
     handed_layer_ = at.layer;
     handed_ = {at.path, alongAt(*point)};
     return;
   }
+}
+
+bool ChunkCorrection::isTravel(const WaypointIndex& heading_for) const {
+  return driven_.toolpath.layers[heading_for.layer].paths[heading_for.path].role == PathRole::Travel;
 }
 
 const PathCorrection* ChunkCorrection::find(const WaypointIndex& heading_for) const {
@@ -143,15 +167,14 @@ ChunkCorrection::Asked ChunkCorrection::askedAt(const JointState& state) const {
   return {here.amount, here.dz_mm};
 }
 
-/// The height at a time of the chunk before; 0 before the first.
-double ChunkCorrection::handedOver(double time_s) const {
-  if (heights_.empty()) return 0.0;
-  const auto after = std::lower_bound(heights_.begin(), heights_.end(), std::make_pair(time_s, -1e300));
-  if (after == heights_.begin()) return heights_.front().second;
-  if (after == heights_.end()) return heights_.back().second;
-  const auto before = after - 1;
-  const double part = (time_s - before->first) / (after->first - before->first);
-  return before->second + part * (after->second - before->second);
+/// The amount that is taken. From path to path of a map it may step, as the feeder rests in between.
+double ChunkCorrection::followAmount(const JointState& state, double present, double wanted, double span_s) {
+  const std::size_t layer = state.heading_for.layer;
+  if (isKnown(layer) && late_ != layer) return wanted;
+  const double most = settings_.feeder_rate_s * span_s;
+  const double taken = std::clamp(wanted, present - most, present + most);
+  if (late_ == layer && taken == wanted) late_.reset();
+  return taken;
 }
 
 /// The joints with the nozzle back along its axis; nothing if that is out of reach.
@@ -204,21 +227,24 @@ TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
   std::vector<JointValues> shifts;
   JointValues shift = JointValues::Zero(chunk.points.front().position.size());
   refusal_.clear();
-  double height = handedOver(chunk.points.front().time_s);
+  double height = handedOver(heights_, chunk.points.front().time_s);
+  double amount = handedOver(amounts_, chunk.points.front().time_s);
+  std::vector<std::pair<double, double>> amounts;
   double last_s = chunk.points.front().time_s;
   for (JointState& point : chunk.points) {
     const Asked asked = askedAt(point);
     const double most = kHeightSpeed * (point.time_s - last_s);
     height = follow(point, height, height + std::clamp(asked.dz_mm - height, -most, most));
+    if (!isTravel(point.heading_for))
+      amount = followAmount(point, amount, asked.amount, point.time_s - last_s);
     last_s = point.time_s;
     heights.emplace_back(point.time_s, height);
+    amounts.emplace_back(point.time_s, amount);
     // Where even the present height is out of reach, the joints stay as far beside the plan as they are.
     const std::optional<JointValues> position = movedBack(point.position, height);
     if (position) shift = *position - point.position;
     shifts.push_back(shift);
-    point.process.flow_mm3_s *= 1.0 + asked.amount;
-    for (const ProcessLevel level : kAllProcessLevels)
-      if (followsSpeed(level)) point.process.levels[level] *= 1.0 + asked.amount;
+    if (!isTravel(point.heading_for)) feed(point.process, 1.0 + amount);
   }
   for (std::size_t i = 0; i < shifts.size(); ++i) {
     JointState& point = chunk.points[i];
@@ -229,6 +255,7 @@ TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
     if (span_s > 0.0) point.velocity += (shifts[after] - shifts[before]) / span_s;
   }
   heights_ = std::move(heights);
+  amounts_ = std::move(amounts);
   return chunk;
 }
 

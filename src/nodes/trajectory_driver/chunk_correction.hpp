@@ -36,7 +36,8 @@ struct DrivenLayer {
 /// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
 /// back along its tool axis by the height, through the machine's inverse kinematics on the branch that it is
 /// on. Times stay. What was handed over stays, too: heights go over from there at `kHeightSpeed` at most, so
-/// that joints do not jump.
+/// that joints do not jump, and amounts no faster than the feeder follows, to a map that comes late, and to 0
+/// where none is.
 class ChunkCorrection {
  public:
   static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along its axis, by corrections [mm/s]
@@ -92,10 +93,11 @@ class ChunkCorrection {
   void missUnreported(std::size_t end);
   void tellMapOf(std::size_t layer, const std::string& digest);
   void noteHandedOver(const TrajectoryChunk& chunk);
+  bool isTravel(const WaypointIndex& heading_for) const;
   const PathCorrection* find(const WaypointIndex& heading_for) const;
   Asked askedAt(const JointState& state) const;
   double alongAt(const JointState& state) const;
-  double handedOver(double time_s) const;
+  double followAmount(const JointState& state, double present, double wanted, double span_s);
   std::string defectOf(const JointValues& position) const;
   std::optional<JointValues> movedBack(const JointValues& position, double height_mm) const;
   double follow(const JointState& state, double present_mm, double wanted_mm);
@@ -106,6 +108,8 @@ class ChunkCorrection {
   Eigen::Isometry3d part_from_bed_;
   std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
   std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
+  std::vector<std::pair<double, double>> amounts_;  ///< its times and amounts; on travels the last amount
+  std::optional<std::size_t> late_;                 ///< layer that goes over to a map that came late
   std::string refusal_;
   std::optional<std::size_t> handed_layer_;   ///< of which something was deposited by what was handed over
   PlaceOnLayer handed_;                       ///< the last of it

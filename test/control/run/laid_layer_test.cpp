@@ -44,7 +44,7 @@ TEST(LaidLayer, TakesAShiftBackByAFifthOfALayer) {
 TEST(LaidLayer, IsAsPlannedOnCellsThatMissedItsMap) {
   const HeightLoop loop = begunLoop();
   LaidLayer layer = layerOverAShiftedOne(loop);
-  layer.layMapFrom(loop.cells(), 10);
+  layer.layMapFrom(loop.cells(), 10, LoopSettings{});
   EXPECT_TRUE(layer.isMapMissed());
   EXPECT_EQ(layer.shift()[9], 0.0);
   EXPECT_NEAR(layer.shift()[10], 0.2, kTolerance);
@@ -55,16 +55,38 @@ TEST(LaidLayer, IsAsPlannedOnCellsThatMissedItsMap) {
 TEST(LaidLayer, CoastsIfAllCellsMissedItsMap) {
   const HeightLoop loop = begunLoop();
   LaidLayer layer = layerOverAShiftedOne(loop);
-  layer.layMapFrom(loop.cells(), 40);
+  layer.layMapFrom(loop.cells(), 40, LoopSettings{});
   EXPECT_EQ(layer.state(), LoopState::Coasting);
   EXPECT_TRUE(layer.isAsPlanned());
+}
+
+/// 0.5 /s at 10 mm/s are 0.075 a cell of 1.5 mm.
+TEST(LaidLayer, FadesOnCellsThatMissedItsMapAndGoesOverToIt) {
+  const HeightLoop loop = begunLoop();
+  LaidLayer layer;
+  layer.carryOver(0.2, 0.0);
+  layer.decide(loop, LoopState::Off, LoopRunSettings{});
+  layer.trim(loop.cells(), std::vector<double>(40, -0.1), LoopSettings{});
+  layer.layMapFrom(loop.cells(), 10, LoopSettings{});
+  const std::vector<double>& amount = layer.correction().amount;
+  EXPECT_NEAR(amount[0], 0.125, kTolerance);
+  EXPECT_NEAR(amount[1], 0.05, kTolerance);
+  EXPECT_EQ(amount[2], 0.0);
+  EXPECT_EQ(amount[9], 0.0);
+  EXPECT_NEAR(amount[10], -0.075, kTolerance);
+  EXPECT_NEAR(amount[11], -0.1, kTolerance);
+  layer.layMapFrom(loop.cells(), 40, LoopSettings{});
+  EXPECT_TRUE(layer.isWhollyMissed());
+  EXPECT_NEAR(amount[1], 0.05, kTolerance);
+  EXPECT_EQ(amount[39], 0.0);
+  EXPECT_EQ(layer.lastAmount(), 0.0);
 }
 
 TEST(LaidLayer, HasItsMapAgainIfItTurnsOutThatNoneMissedIt) {
   const HeightLoop loop = begunLoop();
   LaidLayer layer = layerOverAShiftedOne(loop);
-  layer.layMapFrom(loop.cells(), 40);
-  layer.layMapFrom(loop.cells(), 0);
+  layer.layMapFrom(loop.cells(), 40, LoopSettings{});
+  layer.layMapFrom(loop.cells(), 0, LoopSettings{});
   EXPECT_FALSE(layer.isMapMissed());
   EXPECT_EQ(layer.state(), LoopState::Off);
   EXPECT_NEAR(layer.shift().front(), 0.2, kTolerance);

@@ -89,6 +89,7 @@ std::string wrongIn(const CorrectionMap& map, const SensedWallCase& wall) {
   const double steepest = loop.feeder_rate_s / wall.speed_mm_s;
   for (const PathCorrection& path : map.paths) {
     double last = path.stations.front().amount;
+    double mean = 0.0;
     for (const PointCorrection& place : path.stations) {
       if (!std::isfinite(place.amount) || !std::isfinite(place.dz_mm)) return "a value that is no number";
       if (place.amount < loop.least_amount || place.amount > loop.greatest_amount)
@@ -98,7 +99,9 @@ std::string wrongIn(const CorrectionMap& map, const SensedWallCase& wall) {
       if (std::abs(place.dz_mm) > kHighestPlanned * wall.layer_mm * (1.0 + 1e-9))
         return "a shift of " + std::to_string(place.dz_mm) + " mm";
       last = place.amount;
+      mean += place.amount / static_cast<double>(path.stations.size());
     }
+    if (std::abs(mean) > loop.layer_volume + 1e-9) return "a change of volume of " + std::to_string(mean);
   }
   return {};
 }

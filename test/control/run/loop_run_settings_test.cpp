@@ -34,6 +34,11 @@ TEST(RunSettings, StateTheTimeOffsetsOfFurtherSensors) {
   EXPECT_THROW(otherTimeOffsets(wrong.calibration.other_time_offsets_s), InvalidConfig);
 }
 
+/// It was taken, and no layer waited for it.
+TEST(RunSettings, TakeNoTemperatureThatNothingWaitsFor) {
+  EXPECT_THROW(settingsWith({{"loop.interpass_c", "150"}}), InvalidConfig);
+}
+
 /// The loop goes by the worst of them where it does not know which one sees.
 TEST(RunSettings, StateHowWellTheTimeOffsetOfEachSensorIsKnown) {
   const LoopRunSettings settings =

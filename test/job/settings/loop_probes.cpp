@@ -101,8 +101,7 @@ std::string splitUp(const SettingTexts& set) {
   const LayerCells cells = straightBeads({0.0}, 4.0, 1.0);
   const MetalCorrection fixed = metalSplit(cells, {0.3, -0.3, 0.1, -0.1}, PowerSource::Fixed, settings);
   const MetalCorrection follows = metalSplit(cells, {0.3, -0.3, 0.1, -0.1}, PowerSource::Follows, settings);
-  return numbersText(fixed.speed_mm_s) + numbersText(follows.speed_mm_s) +
-         numbersText({interpassDwell({400.0, 20.0, 60.0}, settings).value_or(-1.0)});
+  return numbersText(fixed.speed_mm_s) + numbersText(follows.speed_mm_s);
 }
 
 std::string trimmed(const SettingTexts& set) {
@@ -239,8 +238,7 @@ std::vector<SettingProbe> loopProbes() {
            {{"loop.speed_exponent=-0.6"},
             {"loop.least_speed_mm_s=8"},
             {"loop.greatest_speed_mm_s=12"},
-            {"loop.heat=0.05"},
-            {"loop.interpass_c=150"}}},
+            {"loop.heat=0.05"}}},
           {"a trim behind the nozzle",
            "loop.trim=0.18;loop.sensor_behind_mm=25",
            trimmed,

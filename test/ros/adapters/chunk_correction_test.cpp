@@ -222,6 +222,35 @@ TEST_F(CorrectedChunks, TellNothingOfLayersThatAreNotThere) {
   EXPECT_TRUE(correction.takeLayers().empty());
 }
 
+double amountOf(const JointState& point) { return point.process.flow_mm3_s / 45.0 - 1.0; }
+
+/// A quarter of the flow more at the end of the first layer, and no map of the second: half of it a second.
+TEST(ChunkCorrection, FadesWhereALayerHasNoMap) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  DrivenToolpath two = driven();
+  two.toolpath.layers.push_back(two.toolpath.layers.front());
+  ChunkCorrection correction(two, LoopSettings(), *model);
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  EXPECT_NEAR(amountOf(correction.corrected(chunkOf(2.3, 2.5, *model)).points.back()), 0.25, 1e-9);
+  TrajectoryChunk next = chunkOf(2.5, 3.5, *model);
+  for (JointState& point : next.points) point.heading_for.layer = 1;
+  for (const JointState& point : correction.corrected(next).points)
+    EXPECT_NEAR(amountOf(point), std::max(0.0, 0.25 - 0.5 * (point.time_s - 2.5)), 1e-9) << point.time_s;
+}
+
+/// Two seconds of the layer were handed over when its map comes, which asks for 0.2 there and 0.1 a second
+/// more.
+TEST_F(CorrectedChunks, GoOverToAMapThatComesLate) {
+  EXPECT_NEAR(amountOf(correction.corrected(chunkOf(1.5, 2.0, *model)).points.back()), 0.0, 1e-12);
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  const TrajectoryChunk first = correction.corrected(chunkOf(2.0, 2.4, *model));
+  const TrajectoryChunk second = correction.corrected(chunkOf(2.4, 3.0, *model));
+  for (const TrajectoryChunk& chunk : {first, second})
+    for (const JointState& point : chunk.points)
+      EXPECT_NEAR(amountOf(point), std::min(0.5 * (point.time_s - 2.0), 0.1 * point.time_s), 1e-9)
+          << point.time_s;
+}
+
 /// Of two layers the first is handed over without a map, which then comes too late.
 TEST(ChunkCorrection, ReportsThatALayerWasHandedOverWithoutItsMap) {
   const auto model = kinematicModelByName("cartesian_gantry");

@@ -9,6 +9,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/control/fading_map.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/program/planned_correction.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
@@ -84,13 +85,43 @@ TEST(LayerCorrector, AppliesTheLatestMapOfEachLayer) {
   EXPECT_NE(corrector.hear(constantMap(0, 0.5, 3)).find("on its way"), std::string::npos);
   CorrectionMap expected = latest;
   expected.toolpath_id = toolpathId(programmed().toolpath);
-  EXPECT_EQ(sent(corrector), correctedProgram(textOf(beads()), programmed().toolpath, {expected}, {}).text);
+  CorrectionMap fading = fadingMap(programmed().toolpath.layers[2], 2, 0.1, 0.5, LoopSettings());
+  fading.toolpath_id = expected.toolpath_id;
+  EXPECT_EQ(sent(corrector),
+            correctedProgram(textOf(beads()), programmed().toolpath, {expected, fading}, {}).text);
   const std::vector<LayerDecision> decisions = corrector.decisions();
   ASSERT_EQ(decisions.size(), 3U);
   EXPECT_EQ(decisions[0].digest, "");
   EXPECT_EQ(decisions[1].digest, digestOf(latest));
   EXPECT_EQ(decisions[1].sequence, 2U);
   EXPECT_EQ(decisions[2].digest, "");
+}
+
+/// The map of the third layer does not come: the 0.1 that the second ended with fade at 0.05 per mm, at
+/// stations 0.5 mm apart, as what the feeder follows at 10 mm/s.
+TEST(LayerCorrector, FadesFromLayerToLayerWhereNoMapComes) {
+  const test::ScratchFolder folder;
+  StreamCorrectionSettings settings = used();
+  settings.folder = folder.file("record");
+  LayerCorrector corrector(beadProgram(), programmed(), settings);
+  EXPECT_EQ(corrector.hear(constantMap(1, 0.1)), "");
+  const std::string deposited = sent(corrector);
+  EXPECT_EQ(corrector.decisions()[2].digest, "") << "reported as missed";
+  const CorrectionMap fading = readCorrectionMap(readFile(settings.folder + "/layer_2.csv"), "layer_2.csv");
+  ASSERT_EQ(fading.paths.size(), 1U) << "the second bead is as planned";
+  const auto& stations = fading.paths[0].stations;
+  EXPECT_NEAR(stations[0].amount, 0.075, 1e-12);
+  EXPECT_NEAR(stations[1].amount, 0.05, 1e-12);
+  EXPECT_NEAR(stations[2].amount, 0.025, 1e-12);
+  for (std::size_t i = 3; i < stations.size(); ++i) EXPECT_NEAR(stations[i].amount, 0.0, 1e-12) << i;
+  const CorrectionReport one =
+      correctedByMaps("beads", textOf(beads()), {programmed(), {{"", constantMap(1, 0.1)}}, {}}).report;
+  // Two beads of 40 mm are one layer: 0.075 mm of its length more.
+  const double layer_mm = one.planned_mm;
+  EXPECT_NEAR(test::filamentOf(deposited) - test::filamentOf(textOf(beads())),
+              0.1 * layer_mm + 0.075 * layer_mm / 80.0, 1e-3 * layer_mm / 80.0 + 1e-4);
+  const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, deposited) << "made again from the record";
 }
 
 TEST(LayerCorrector, LeadsTheFeeder) {
@@ -218,9 +249,11 @@ TEST(LayerCorrector, TrimsALayerThatIsUnderWay) {
   const CorrectionReport report =
       correctedByMaps("beads", textOf(beads()), {programmed(), {{"", constantMap(1, 0.1)}}, {}}).report;
   const double bead_mm = 0.5 * report.planned_mm;
-  EXPECT_NEAR(test::filamentOf(deposited) - test::filamentOf(textOf(beads())), (0.3 - 0.1) * bead_mm, 1e-4);
+  // The third layer begins with -0.1, which fade as 0.075 mm of a bead of 40 mm.
+  EXPECT_NEAR(test::filamentOf(deposited) - test::filamentOf(textOf(beads())),
+              (0.3 - 0.1 - 0.075 / 40.0) * bead_mm, 1e-4);
   const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
-  EXPECT_EQ(again.maps.size(), 2U);
+  EXPECT_EQ(again.maps.size(), 3U);
   EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, deposited) << "made again from the record";
 }
 

@@ -19,6 +19,7 @@
 #include "names.hpp"
 #include "nodes/cell_controller/stream_executor.hpp"
 #include "ros/cell/cell_of_nodes.hpp"
+#include "ros/loop/controlled_wall.hpp"
 #include "ros/wait_until.hpp"
 #include "service_call.hpp"
 
@@ -463,6 +464,32 @@ TEST(CellController, TakesAnAlarmAsGoneWhenItHasForAllThatRaisedIt) {
   EXPECT_NE(cell.reason.find("master does not answer"), std::string::npos) << cell.reason;
   report("desk", true);
   EXPECT_TRUE(waitUntil([&] { return cell.alarms.alarms.empty(); }));
+}
+
+/// A wall of which a piece comes off, under a loop that pauses nothing by itself.
+TEST(CellController, HoldsForAnAlarmOfTheLoopOnHeightsAndShowsIt) {
+  CellOfNodes cell("heights", 5.0);
+  cell.bringToIdle();
+  cell.change(cell.enqueue(squareProgram(5000)), lamina_msgs::ChangeQueue::Request::RELEASE);
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(cell.reaches("Execute"));
+  test::Controller controller({"_pauses_print:=false", "alarm_reports:=/heights/alarm_reports"});
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.length_mm = 20.0;
+  wall.layers = 3;
+  wall.befalls = [](std::size_t layer, std::vector<double>& heights) {
+    for (double& height : heights) height -= layer == 1 ? 1.4 : 0.0;
+  };
+  test::LiveWall live(wall);
+  live.say([&] { return cell.hasAlarm(6110); });
+  ASSERT_TRUE(waitUntil([&] { return cell.hasAlarm(6110); }));
+  EXPECT_TRUE(cell.reaches("Held"));
+  EXPECT_EQ(cell.status.stop_reason, 6110);
+  EXPECT_TRUE(cell.isInJournal("something broke or came off"));
+  EXPECT_NE(cell.command(Command::UNHOLD), kAccepted) << "nobody has looked at the part";
+  cell.acknowledgeAll();
+  EXPECT_TRUE(waitUntil([&] { return cell.command(Command::UNHOLD) == kAccepted; })) << cell.reason;
 }
 
 TEST(CellController, OffersTheJobOfAKilledStreamerAndRunsEachLineOnce) {

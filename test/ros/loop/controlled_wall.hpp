@@ -39,9 +39,14 @@ class Controller {
     const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_state = [this](const auto& state) {
       if (is_listening_) states.push_back(*state);
     };
+    const boost::function<void(const lamina_msgs::AlarmReportConstPtr&)> on_alarm =
+        [this](const auto& alarm) {
+          if (is_listening_) alarms.push_back(*alarm);
+        };
     maps_ = node_.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 0, on_map);
     layers_ = node_.subscribe<lamina_msgs::LoopFigures>(names::kLoopFigures, 0, on_layer);
     states_ = node_.subscribe<lamina_msgs::LoopState>(names::kLoopState, 0, on_state);
+    alarms_ = node_.subscribe<lamina_msgs::AlarmReport>(names::kAlarmReports, 0, on_alarm);
     process_.emplace(LAMINA_LOOP_NODE, parameters);
     waitUntil(
         [this] { return !states.empty() && maps_.getNumPublishers() > 0 && layers_.getNumPublishers() > 0; });
@@ -62,17 +67,30 @@ class Controller {
     for (const auto& map : maps) all.push_back(map.digest);
     return all;
   }
+  /// Whether an alarm was raised to the unit, and then reported as gone.
+  bool hasRaised(std::uint16_t id) const { return raisedFirst(id) != alarms.end(); }
+  bool hasEnded(std::uint16_t id) const {
+    const auto raised = raisedFirst(id);
+    return std::any_of(raised, alarms.end(),
+                       [id](const auto& each) { return each.id == id && each.is_gone != 0; });
+  }
   bool isIn(std::uint8_t state) const { return !states.empty() && states.back().state == state; }
 
   std::vector<lamina_msgs::CorrectionMap> maps;
   std::vector<lamina_msgs::LoopFigures> layers;
   std::vector<lamina_msgs::LoopState> states;
+  std::vector<lamina_msgs::AlarmReport> alarms;
 
  private:
+  std::vector<lamina_msgs::AlarmReport>::const_iterator raisedFirst(std::uint16_t id) const {
+    return std::find_if(alarms.begin(), alarms.end(),
+                        [id](const auto& each) { return each.id == id && each.is_gone == 0; });
+  }
+
   ros::NodeHandle node_;
   bool is_listening_ = true;
   bool is_killed_ = false;
-  ros::Subscriber maps_, layers_, states_;
+  ros::Subscriber maps_, layers_, states_, alarms_;
   std::optional<NodeProcess> process_;
 };
 

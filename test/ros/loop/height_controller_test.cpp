@@ -257,6 +257,22 @@ TEST(HeightController, CoastsWithinASecondWhenTheSensorFallsSilent) {
   EXPECT_LT(reactionTime(wall, false, 6101), 1.5 + 1.0);
 }
 
+TEST(HeightController, ReportsASilentSensorToTheUnitUntilItIsHeardAgain) {
+  SensedWallCase wall = slowlyScanned();
+  wall.layers = 3;
+  wall.sensor = [](std::size_t layer) { return layer == 1 ? SensorDoes::KeepSilent : SensorDoes::Measure; };
+  Controller controller({"_loop/silence_s:=1.5", "_monitor/reorder_s:=0.2", "_arrival_hold_s:=0.1"});
+  LiveWall live(wall);
+  live.say([&] { return controller.hasRaised(6101); });
+  ASSERT_TRUE(controller.hasRaised(6101));
+  EXPECT_EQ(controller.alarms.back().source, "height_controller");
+  EXPECT_NE(controller.alarms.back().message.find("no cloud for 1."), std::string::npos)
+      << controller.alarms.back().message;
+  EXPECT_FALSE(controller.hasEnded(6101));
+  live.say([&] { return controller.hasEnded(6101); });
+  EXPECT_TRUE(waitUntil([&] { return controller.hasEnded(6101); }));
+}
+
 TEST(HeightController, CoastsWithinASecondWhenTheSensorIsStuck) {
   for (const SensorDoes does : {SensorDoes::SayNothing, SensorDoes::SayTheSame}) {
     SensedWallCase wall = slowlyScanned();
@@ -400,6 +416,7 @@ void expectHeld(const Controller& controller, const std::optional<std::size_t>& 
   live.say([&] { return maps_when_held.has_value(); });
   ASSERT_TRUE(maps_when_held) << controller.maps.size();
   EXPECT_EQ(*maps_when_held, 2U);
+  EXPECT_TRUE(waitUntil([&] { return controller.hasRaised(6110); })) << "the unit is told why";
 }
 
 TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {

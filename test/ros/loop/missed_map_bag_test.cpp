@@ -110,6 +110,15 @@ TEST(EstimatedBag, AccountsForEveryCloud) {
                              "clouds_waiting", "clouds_pushed_out", "clouds_of_former_print"})
     sum += print[became].get<std::size_t>();
   EXPECT_EQ(sum, 2 * printed.clouds.size());
+  const std::size_t read = print["points"]["received"];
+  std::size_t accounted = 0;
+  for (const auto& became : print["points"].items()) accounted += became.value().get<std::size_t>();
+  EXPECT_EQ(accounted, 2 * read) << "all that was received, and what became of it";
+  std::size_t sent = 0;
+  for (const SensedCloud& cloud : printed.clouds) sent += cloud.profiles.at(0).size();
+  EXPECT_EQ(read, sent) << "of the sensor that has its time offset";
+  EXPECT_EQ(print["readings_below"], printed.counts.readings_below);
+  EXPECT_EQ(print["readings_believed"], printed.counts.readings_believed);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@
 #include "lamina/control/run/solid_cells.hpp"
 #include "lamina/control/run/stamped_events.hpp"
 #include "lamina/control/run/standing_alarms.hpp"
+#include "lamina/control/run/standing_conditions.hpp"
 #include "lamina/control/run/taught_part.hpp"
 #include "lamina/control/section_contours.hpp"
 
@@ -181,6 +182,8 @@ class LoopRun {
   const LoopStatus& status() const { return status_; }
   /// The last alarm, if there was one.
   const std::optional<RaisedAlarm>& lastAlarm() const { return last_alarm_; }
+  /// The alarms whose cause lasts and is there, of those raised so far.
+  const std::vector<RaisedAlarm>& standing() const { return standing_.all(); }
   const PrintPosition& place() const { return progress_.place(); }
   const LoopCounts& counts() const { return counts_; }
   const PlacedPart& part() const { return part_; }
@@ -265,6 +268,7 @@ class LoopRun {
   Eigen::Vector3d velocity_ =
       Eigen::Vector3d::Zero();  ///< of the sensor of the cloud under way [mm/s, toolpath]
   StandingAlarms watched_;
+  StandingConditions standing_;
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;
   LoopNews news_;

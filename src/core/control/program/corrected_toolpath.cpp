@@ -83,11 +83,6 @@ Path correctedPath(const Path& path, const PathCorrection& correction, double sp
   return corrected;
 }
 
-bool isNone(const PathCorrection& correction) {
-  return std::all_of(correction.stations.begin(), correction.stations.end(),
-                     [](const PointCorrection& place) { return place.isNone(); });
-}
-
 void requireCorrectable(const Path& path, const std::string& name) {
   if (path.deposit == Deposit::Drops) throw InvalidInput(name + " has drops; expected a bead, to correct it");
   for (const PathEvent& placed : path.events)

@@ -7,6 +7,7 @@
 
 #include "control/run/cell_corrections.hpp"
 #include "control/run/layer_ground.hpp"
+#include "lamina/control/layer_law.hpp"
 #include "lamina/control/z_follow.hpp"
 
 namespace lamina {
@@ -23,7 +24,8 @@ void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
 
 void LaidLayer::decide(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings) {
   state_ = state;
-  is_map_missed_ = false;
+  is_map_missed_ = is_wholly_missed_ = false;
+  first_amount_ = last_amount_;
   laid_ = wanted(loop, state, settings.loop);
   shiftNozzle(loop, state, settings);
   realise(loop.cells(), settings.loop);
@@ -43,12 +45,18 @@ void LaidLayer::trim(const LayerCells& cells, std::vector<double> amount, const 
   realise(cells, settings);
 }
 
-void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell) {
+void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings) {
   is_map_missed_ = cell > 0;
+  is_wholly_missed_ = cell == cells.size();
   laid_ = mapped_.correction;
   shift_mm_ = mapped_.shift_mm;
   state_ = mapped_.state;
-  std::fill_n(laid_.amount.begin(), cell, 0.0);
+  if (is_map_missed_) {
+    const std::vector<double> before(cells.size(), first_amount_);
+    const std::vector<double> planned(cells.size(), 0.0);
+    const std::vector<double> faded = fadedCorrection(cells, before, planned, 0, settings);
+    laid_.amount = fadedCorrection(cells, faded, mapped_.correction.amount, cell, settings);
+  }
   std::fill_n(shift_mm_.begin(), cell, 0.0);
   if (cell == laid_.amount.size()) {
     laid_.limited_share = 0.0;

@@ -33,14 +33,17 @@ class LaidLayer {
   /// Replaces the amounts, in the map too.
   /// @param amount  relative, one for each cell
   void trim(const LayerCells& cells, std::vector<double> amount, const LoopSettings& settings);
-  /// Lays the first cells as planned and the others by the last map.
+  /// Lays the first cells without a map, on which the last amount of the layer before fades to 0, and the
+  /// others by the last map, no faster than the feeder follows.
   /// @param cell  number of cells that the machine deposited without the map; 0 if it has all of them
-  void layMapFrom(const LayerCells& cells, std::size_t cell);
+  void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings);
 
   /// Whether the map changes nothing of the plan on any cell that is laid by it.
   bool isAsPlanned() const;
   /// Whether part of the layer is laid without its map.
   bool isMapMissed() const { return is_map_missed_; }
+  /// Whether all of the layer is.
+  bool isWhollyMissed() const { return is_wholly_missed_; }
 
   /// The amounts by which the layer grows.
   const LayerCorrection& correction() const { return laid_; }
@@ -69,6 +72,8 @@ class LaidLayer {
   std::vector<double> shift_mm_;
   LoopState state_ = LoopState::Off;
   bool is_map_missed_ = false;
+  bool is_wholly_missed_ = false;
+  double first_amount_ = 0.0;  ///< by which the layer before has ended
   double mean_shift_mm_ = 0.0;
   double last_amount_ = 0.0;
 };

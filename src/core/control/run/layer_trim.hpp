@@ -29,11 +29,13 @@ class LayerTrim {
   /// @return whether the amounts of cells to come differ from those reported last
   bool advance(std::size_t laid, const std::vector<CellEstimate>& estimates);
 
-  /// The trimmed amounts of all cells, within the limits of the loop.
+  /// The trimmed amounts of all cells, within the limits of the loop: a trim gets what the layer's map has
+  /// left of the change of the layer's volume.
   const std::vector<double>& amount() const { return amount_; }
 
  private:
   std::optional<double> relativeError(std::size_t cell, const std::vector<CellEstimate>& estimates) const;
+  double withinVolume(double trim, std::size_t from);
 
   TrailingTrim trim_;
   std::vector<double> planned_;       ///< amounts without trims
@@ -42,6 +44,11 @@ class LayerTrim {
   std::vector<double> growth_mm_;     ///< growth predicted for the amounts without trims
   std::size_t behind_;                ///< distance of the sensor behind the nozzle, in cells
   std::size_t lead_;                  ///< length passed on to the machine ahead of the nozzle, in cells
+  std::vector<double> volume_;        ///< share of each cell in the layer's planned volume
+  double change_ = 0.0;  ///< of the layer's volume: as handed over up to `handed_`, untrimmed from there
+  double volume_ahead_ = 1.0;  ///< share of the layer's volume from `handed_` on
+  std::size_t handed_ = 0;     ///< cells that no trim reaches any more
+  double layer_volume_;
   double least_;
   double greatest_;
   std::size_t laid_ = 0;

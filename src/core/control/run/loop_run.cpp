@@ -58,6 +58,7 @@ void LoopRun::resume(const LoopMemory& memory) {
                 : afterRequest(settings_.request, stability_);
   gain_at_check_ = memory.gain_at_check;
   last_alarm_ = memory.last_alarm;
+  if (last_alarm_ && status_.state == LoopState::Coasting) standing_.raise(*last_alarm_);
   laid_->carryOver(memory.last_amount, memory.mean_shift_mm);
   news_ = {};
   progress_.resume(memory.layer + 1);
@@ -75,6 +76,8 @@ const LoopStatus& LoopRun::request(LoopRequest request) {
   if (status_.state == LoopState::Blocked) stability_ = checkNow();
   status_ = afterRequest(request, stability_);
   offset_left_ = {};
+  standing_.end(LoopAlarm::TimeOffset);
+  standing_.settle(status_, watched_);
   return status_;
 }
 
@@ -82,6 +85,7 @@ void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   offset_sigmas_ = timeOffsetSigmas(known);
   settings_.calibration = known;
   offset_left_ = {};
+  standing_.end(LoopAlarm::TimeOffset);
   stability_ = checkNow();
   if (stability_.may_start && stability_.low_pass_mm > settings_.loop.low_pass_mm) {
     stability_.may_start = false;
@@ -133,6 +137,7 @@ void LoopRun::passAll() {
 void LoopRun::finish() {
   passAll();
   if (layer_ && loop_->cells().size() > 0 && cellsDeposited(0.0) == loop_->cells().size()) endLayer();
+  standing_.endAll();
 }
 
 void LoopRun::hear(std::int64_t stamp_ns, const std::string& sensor) {
@@ -162,7 +167,7 @@ void LoopRun::missMap(const MissedMap& missed) {
   }
   if (missed.held_from)
     return layMapFrom(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
-  const bool is_otherwise = !laid_->isAsPlanned();
+  const bool is_otherwise = !laid_->isWhollyMissed() && !laid_->isAsPlanned();
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
@@ -219,7 +224,7 @@ bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reas
 void LoopRun::layMapFrom(std::size_t cell) {
   if (cell == 0 && !laid_->isMapMissed()) return;
   trim_.reset();
-  laid_->layMapFrom(loop_->cells(), cell);
+  laid_->layMapFrom(loop_->cells(), cell, settings_.loop);
   loop_->relay(laid_->correction());
 }
 
@@ -265,6 +270,7 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
     return;
   }
   ++counts_.clouds_read;
+  standing_.settleSight(status_, watched_);
   SensorMotion& motion = motions_[cloud.sensor];
   motion.see(cloud.stamp_ns, part_from_bed_ * cloud.bed_from_sensor.translation());
   velocity_ = motion.velocity();
@@ -372,12 +378,14 @@ void LoopRun::watch() {
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   step.alarms = watched_.risen(std::move(step.alarms));
   take(std::move(step));
+  standing_.settle(status_, watched_);
 }
 
 void LoopRun::take(LoopStep step) {
   status_ = std::move(step.status);
   for (RaisedAlarm& alarm : step.alarms) {
     last_alarm_ = alarm;
+    standing_.raise(alarm);
     layer_alarms_.push_back(alarm);
     news_.alarms.push_back(std::move(alarm));
   }
@@ -467,6 +475,7 @@ void LoopRun::endLayer() {
   below_ = loop_->estimates();
   below_layer_ = *layer_;
   if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
+  if (figures.is_measured) standing_.settleSight(status_, watched_);
   checkAgain(figures);
   planAnew(figures);
   news_.layers.push_back(outcomeOf(figures));

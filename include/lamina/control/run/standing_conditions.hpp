@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/control/run/standing_alarms.hpp"
+#include "lamina/control/supervision.hpp"
+
+namespace lamina {
+
+/// The alarms of a print whose cause lasts (`isCondition`), from when they are raised until their cause is
+/// gone. A watch that finds nothing does not end all of them: between two scans nothing is watched.
+class StandingConditions {
+ public:
+  /// Adds an alarm that was raised, in the place of an earlier one of the same number; one whose cause does
+  /// not last is not taken.
+  void raise(const RaisedAlarm& alarm);
+  /// Ends what no longer holds by the watches: all if the loop does not run, a stuck sensor that gives
+  /// profiles again, a time offset for which the loop no longer coasts.
+  void settle(const LoopStatus& status, const StandingAlarms& watched);
+  /// A cloud was read that has a pose, or a layer was judged: ends the silence, and the loss of poses, that
+  /// is not watched now. Clouds alone do not end the silence of layers that were not measured.
+  void settleSight(const LoopStatus& status, const StandingAlarms& watched);
+  void end(LoopAlarm alarm);
+  /// Nothing is expected any more.
+  void endAll() { conditions_.clear(); }
+
+  /// Those that stand, in the order in which they were raised.
+  const std::vector<RaisedAlarm>& all() const { return conditions_; }
+
+ private:
+  std::vector<RaisedAlarm> conditions_;
+};
+
+}  // namespace lamina
