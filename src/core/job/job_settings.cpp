@@ -94,12 +94,22 @@ void requirePlainSections(const JobSettings& settings) {
   const CompensationSettings& compensation = settings.compensation;
   requireNone("compensation.outline_mm", compensation.outline_mm);
   requireNone("compensation.holes_mm", compensation.holes_mm);
-  requireNone("compensation.shrink_xy", compensation.shrink_xy);
-  requireNone("compensation.shrink_z", compensation.shrink_z);
   requireNone("first_layer.inset_mm", settings.planning.first_layer.inset_mm);
   requireNone("travel.wipe_mm", settings.planning.travel.wipe_mm);
   require(settings.planning.travel.comb == Combing::None, "travel.comb is not 'none'", "'none'");
   require(settings.planning.travel.hop == Hopping::Always, "travel.hop is not 'always'", "'always'");
+}
+
+/// The part is printed larger; what it is deposited on stays as it is.
+void requireSizeOfBase(const JobSettings& settings) {
+  if (slicingModes().find(settings.slicing.mode).deposited_on == DepositedOn::Bed) return;
+  const auto requireNone = [&](const std::string& key, double value) {
+    if (value != 0.0)
+      throw InvalidConfig(key + " is " + numberText(value) + " with slicing.mode '" + settings.slicing.mode +
+                          "'; expected 0: what the part is deposited on does not grow with it");
+  };
+  requireNone("compensation.shrink_xy", settings.compensation.shrink_xy);
+  requireNone("compensation.shrink_z", settings.compensation.shrink_z);
 }
 
 /// What means nothing over layers that are not plane, or cannot be done over them.
@@ -107,6 +117,7 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   const std::string& mode = settings.slicing.mode;
   if (mode == kAutoMode || hasPlaneLayers(mode)) return;
   requirePlainSections(settings);
+  requireSizeOfBase(settings);
   const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
     if (!is_met) throw InvalidConfig(key_is + " with slicing.mode '" + mode + "'; expected " + expected);
   };
