@@ -108,8 +108,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   ProgramSettings program =
       startedFor(job.settings.planning.first_layer, codeFor(job.settings.program, joint_program));
   program.strategy = job.settings.planning.infill.strategy;
-  for (const Tool& tool : toolsOf(job.settings.planning.tools))
-    program.tool_offsets_mm.push_back(tool.offset_mm);
+  program.tool_offsets_mm = toolOffsets(job.settings.planning.tools);
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
   ProgramAnnotations annotations;

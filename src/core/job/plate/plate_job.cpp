@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -32,6 +33,7 @@
 #include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "planning/planned_aids.hpp"
+#include "planning/tools/tool_order.hpp"
 
 namespace lamina {
 namespace {
@@ -223,6 +225,23 @@ std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items)
   return parts;
 }
 
+/// Of the bed, what the tips of all tools at work reach.
+Box2 commonReach(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
+  const std::vector<Point3> offsets_mm = toolOffsets(settings.planning.tools);
+  Box2 common{space.low.head<2>(), space.high.head<2>()};
+  const auto include = [&](const PlanSettings& planning) {
+    for (const std::uint32_t tool : toolsAtWork(planning)) {
+      if (tool >= offsets_mm.size()) continue;
+      const Point2 offset = offsets_mm[tool].head<2>();
+      common.low = common.low.cwiseMax(space.low.head<2>() + offset);
+      common.high = common.high.cwiseMin(space.high.head<2>() + offset);
+    }
+  };
+  include(settings.planning);
+  for (const PlateItem& item : items) include(item.settings.planning);
+  return common;
+}
+
 /// Of the bed, without room for skirt and tower.
 Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
   const SkirtSettings& skirt = settings.planning.skirt;
@@ -230,7 +249,8 @@ Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSe
       skirt.count > 0 ? skirt.distance_mm + skirt.count * settings.planning.bead.width_mm : 0.0;
   const Point2 margin = Point2::Constant(skirt_mm);
   const Point2 tower(roomForTower(settings, towerNeighbours(items)), 0.0);
-  return {space.low.head<2>() + margin, space.high.head<2>() - margin - tower};
+  const Box2 bed = commonReach(items, space, settings);
+  return {bed.low + margin, bed.high - margin - tower};
 }
 
 void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
