@@ -530,7 +530,7 @@ class Regions(unittest.TestCase):
                 return file.read()
         plain = program([])
         self.assertEqual(plain, program([RIGHT + ", kind: support_blocker"]))
-        self.assertEqual(plain, program([], "--set", "supports.tool=1"))
+        self.assertEqual(plain, program([], "--set", "supports.density=0.3"))
 
 
 if __name__ == "__main__":

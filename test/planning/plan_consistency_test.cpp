@@ -117,6 +117,11 @@ TEST(ToolConsistency, NamesTheKeyAndItsValue) {
   EXPECT_NE(refusalOf("vase", {tools, "tool.infill=1"}).find("tool.infill is 1"), std::string::npos);
   const std::string of_supports = refusalOf("zigzag", {tools, "supports.interface_tool=4"});
   EXPECT_NE(of_supports.find("supports.interface_tool is 4"), std::string::npos) << of_supports;
+  EXPECT_EQ(refusalOf("zigzag", {"supports.tool=3"}),
+            "supports.tool is 3; tools.list has 0 tools, counted from 0");
+  EXPECT_NE(refusalOf("zigzag", {"supports.interface_tool=1"}).find("supports.interface_tool is 1"),
+            std::string::npos);
+  EXPECT_EQ(refusalOf("zigzag", {"supports.tool=0"}), "");
 }
 
 TEST(IroningConsistency, ReportsWhatSkinsThereAre) {

@@ -13,6 +13,7 @@
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/plate/plate_settings.hpp"
 #include "lamina/job/profiles/capabilities.hpp"
+#include "lamina/job/profiles/giving_way.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
@@ -111,6 +112,8 @@ struct JobSettings {
   TrajectorySettings trajectory;
   ProcessSettings process;
   ProgramSettings program;
+  /// No setting itself: what the slicing mode may leave out of those above.
+  GivingWay giving_way;
 };
 
 /// Adds the keys of all stages. The settings must outlive the schema.

@@ -7,6 +7,7 @@
 
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/flow/flow.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/flow/role_advances.hpp"
 
@@ -34,11 +35,22 @@ void noteFlowFactor(SlicedPart& sliced, double factor) {
   sliced.summary.notes.emplace_back(note);
 }
 
+/// With the word of the dialect that the program is written in.
+FlowSettings withWord(FlowSettings flow, const std::string& dialect) {
+  if (flow.advance_word != AdvanceWord::Dialect) return flow;
+  SettingsSchema schema;
+  describe(schema, flow);
+  schema.set("flow.advance_word", gcodeDialects().find(dialect).advance);
+  return flow;
+}
+
 /// A drop is no bead whose flow could lag.
 void addAdvanceOf(SlicedPart& sliced, const JobSettings& settings) {
   const std::string& strategy = settings.planning.infill.strategy;
-  if (!depositsDrops(strategy)) return addAdvance(sliced.toolpath, settings.flow);
-  if (hasAdvance(settings.flow))
+  if (!hasAdvance(settings.flow)) return;
+  if (!depositsDrops(strategy))
+    addAdvance(sliced.toolpath, withWord(settings.flow, settings.program.dialect));
+  else
     sliced.summary.notes.push_back("flow.advance_s has no effect with infill.strategy '" + strategy + "'");
 }
 

@@ -13,6 +13,8 @@
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/picture/thumbnail.hpp"
 #include "lamina/planning/plan_consistency.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
+#include "planning/flow/role_advances.hpp"
 
 namespace lamina {
 namespace {
@@ -94,12 +96,22 @@ void requirePlainSections(const JobSettings& settings) {
   const CompensationSettings& compensation = settings.compensation;
   requireNone("compensation.outline_mm", compensation.outline_mm);
   requireNone("compensation.holes_mm", compensation.holes_mm);
-  requireNone("compensation.shrink_xy", compensation.shrink_xy);
-  requireNone("compensation.shrink_z", compensation.shrink_z);
   requireNone("first_layer.inset_mm", settings.planning.first_layer.inset_mm);
   requireNone("travel.wipe_mm", settings.planning.travel.wipe_mm);
   require(settings.planning.travel.comb == Combing::None, "travel.comb is not 'none'", "'none'");
   require(settings.planning.travel.hop == Hopping::Always, "travel.hop is not 'always'", "'always'");
+}
+
+/// The part is printed larger; what it is deposited on stays as it is.
+void requireSizeOfBase(const JobSettings& settings) {
+  if (slicingModes().find(settings.slicing.mode).deposited_on == DepositedOn::Bed) return;
+  const auto requireNone = [&](const std::string& key, double value) {
+    if (value != 0.0)
+      throw InvalidConfig(key + " is " + numberText(value) + " with slicing.mode '" + settings.slicing.mode +
+                          "'; expected 0: what the part is deposited on does not grow with it");
+  };
+  requireNone("compensation.shrink_xy", settings.compensation.shrink_xy);
+  requireNone("compensation.shrink_z", settings.compensation.shrink_z);
 }
 
 /// What means nothing over layers that are not plane, or cannot be done over them.
@@ -107,6 +119,7 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   const std::string& mode = settings.slicing.mode;
   if (mode == kAutoMode || hasPlaneLayers(mode)) return;
   requirePlainSections(settings);
+  requireSizeOfBase(settings);
   const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
     if (!is_met) throw InvalidConfig(key_is + " with slicing.mode '" + mode + "'; expected " + expected);
   };
@@ -187,6 +200,24 @@ void requireRunsFor(const JobSettings& settings) {
     throw InvalidConfig("weave.kind is not 'none' with rapid.weave_data '" +
                         settings.program.rapid.weave_data +
                         "'; expected one of them: the controller would weave across a woven way");
+}
+
+/// What firmware does not know it passes over, or it stops the job.
+void requireWordsOfDialect(const JobSettings& settings) {
+  const std::string& name = settings.program.dialect;
+  const GcodeDialect dialect = gcodeDialects().find(name);
+  const std::string with = " with program.dialect '" + name + "'";
+  const bool has_advance = dialect.has_extruder &&
+                           (settings.flow.advance_word != AdvanceWord::Dialect || !dialect.advance.empty());
+  if (hasAdvance(settings.flow) && !has_advance)
+    throw InvalidConfig("flow.advance_s is " + numberText(settings.flow.advance_s) + " s" + with +
+                        ", which has no word for it; expected 0" +
+                        (dialect.has_extruder ? ", or the word of its firmware as flow.advance_word" : ""));
+  const std::string labels = toString(settings.plate.labels);
+  if (settings.plate.labels != ObjectLabels::None && labels != dialect.labels)
+    throw InvalidConfig("plate.labels is '" + labels + "'" + with +
+                        ", which does not know them; expected 'none'" +
+                        (dialect.labels.empty() ? "" : " or '" + dialect.labels + "'"));
 }
 
 }  // namespace
@@ -300,6 +331,7 @@ void validate(const JobSettings& settings) {
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
   requireCapable(settings);
+  requireWordsOfDialect(settings);
   requireRunsFor(settings);
   thumbnailsFrom(settings.program.thumbnails);
   const std::string& strategy = settings.planning.infill.strategy;

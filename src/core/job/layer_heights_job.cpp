@@ -72,6 +72,14 @@ LayerHeightsReport layerHeightsOf(const Mesh& mesh, const SlicingSettings& setti
   return report;
 }
 
+void requireCapableOf(const LayerHeightsReport& report, const JobSettings& settings) {
+  if (settings.slicing.heights != LayerHeights::File) return;
+  std::vector<double> heights_mm;
+  heights_mm.reserve(report.bounds.size());
+  for (const LayerBounds& layer : report.bounds) heights_mm.push_back(layer.height());
+  requireCapableOfTable(heights_mm, settings);
+}
+
 std::vector<std::string> notesOn(const LayerHeightsReport& report, const SlicingSettings& settings) {
   if (settings.heights == LayerHeights::Equal || report.bounds.empty()) return {};
   std::vector<std::string> notes = {noteOnHeights(report, settings)};
@@ -91,6 +99,7 @@ LayerHeightsReport runLayerHeightsJob(const SliceJob& job) {
   if (slicing.plane.angle_deg != 0.0)
     source.mesh = turned(std::move(source.mesh), partFromLayers(slicing.plane).conjugate());
   LayerHeightsReport report = layerHeightsOf(source.mesh, slicing);
+  requireCapableOf(report, job.settings);
   report.greatest_cusp_mm = cuspAboveFirst(source.mesh, report.bounds);
   if (!job.output.empty()) writeFile(job.output, heightTable(report.bounds));
   return report;

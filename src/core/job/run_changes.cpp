@@ -44,7 +44,7 @@ void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSp
   if (canTurnToolAxis(space))
     requireTipsReachable(toolpath, sliced.bed_from_part, space);
   else
-    requireReachable(toolpath, sliced.bed_from_part, space);
+    requireReachable(toolpath, sliced.bed_from_part, space, toolOffsets(settings.planning.tools));
 }
 
 }  // namespace lamina

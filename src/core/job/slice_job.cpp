@@ -110,8 +110,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   program.strategy = job.settings.planning.infill.strategy;
   if (joint_program && joint_program->needs_configurations)
     program.rapid.configuration = RapidConfiguration::Joints;
-  for (const Tool& tool : toolsOf(job.settings.planning.tools))
-    program.tool_offsets_mm.push_back(tool.offset_mm);
+  program.tool_offsets_mm = toolOffsets(job.settings.planning.tools);
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
   ProgramAnnotations annotations;

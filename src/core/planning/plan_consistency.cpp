@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/planning/plan_consistency.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -228,7 +229,7 @@ void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& 
       {"supports.tool", settings.supports.tool},
       {"supports.interface_tool", settings.supports.interface_tool}};
   for (const auto& [key, tool] : of_supports)
-    if (count > 0 && tool >= static_cast<int>(count))
+    if (tool >= static_cast<int>(std::max<std::size_t>(count, 1)))
       throw InvalidConfig(std::string(key) + " is " + std::to_string(tool) + "; tools.list has " +
                           std::to_string(count) + " tools, counted from 0");
   if (!usesTools(settings)) return;

@@ -37,6 +37,17 @@ TEST(StatedUnit, RefusesAnotherOfFilesThatStateTheirOwn) {
   EXPECT_EQ(refusalOf(step, LengthUnit::Millimetre), "");
 }
 
+TEST(StatedUnit, RefusesAnotherOfOutlinesAndOfPartsByName) {
+  EXPECT_EQ(refusalOf("plate.SVG", LengthUnit::Inch),
+            "input.unit is inch, but 'plate.SVG' is an SVG file, which states its own unit; expected mm, the "
+            "default, which leaves that of the file");
+  EXPECT_EQ(refusalOf("box", LengthUnit::Centimetre),
+            "input.unit is cm, but 'box' is a part whose lengths are in mm; expected mm, the default, "
+            "which leaves that of the part");
+  EXPECT_EQ(refusalOf("plate.svg", LengthUnit::Millimetre), "");
+  EXPECT_EQ(refusalOf("box", LengthUnit::Millimetre), "");
+}
+
 TEST(StatedUnit, LeavesFilesThatStateNone) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("part.obj");

@@ -26,6 +26,10 @@ TEST(OutlinePart, IsExtruded) {
   EXPECT_TRUE(sliced.summary.repairs.empty());
   job.settings.input.units.scale = 2.0;
   EXPECT_NEAR(runSliceJob(job, nobody).summary.mesh_volume_mm3, 40.0 * 20.0 * 2.0, 1e-6);
+  job.settings.input.units.unit = LengthUnit::Inch;
+  EXPECT_THROW(runSliceJob(job, nobody), InvalidConfig) << "the file states its own unit";
+  job.part = "box";
+  EXPECT_THROW(runSliceJob(job, nobody), InvalidConfig) << "its lengths are in mm";
 }
 
 }  // namespace

@@ -236,6 +236,7 @@ TEST_F(PlateJobTest, MarksPartsThatAreReadBack) {
   job_.output = folder_.file("plate.gcode");
   for (const ObjectLabels labels : {ObjectLabels::None, ObjectLabels::M486, ObjectLabels::ExcludeObject}) {
     job_.settings.plate.labels = labels;
+    job_.settings.program.dialect = labels == ObjectLabels::ExcludeObject ? "klipper" : "marlin";
     const auto planned = volumesByPart(run().sliced.toolpath);
     const auto read = volumesByPart(toolpathFromGcodeFile(job_.output, job_.settings.program));
     ASSERT_EQ(read.size(), 3U);
@@ -278,6 +279,7 @@ TEST_F(PlateJobTest, LabelsPartsForFirmware) {
   EXPECT_NE(marlin.find(";PART:my part 2\nM486 S1\n"), std::string::npos);
   EXPECT_NE(marlin.find("M486 S-1\n; end of the part"), std::string::npos);
   job_.settings.plate.labels = ObjectLabels::ExcludeObject;
+  job_.settings.program.dialect = "klipper";
   run();
   const std::string klipper = readFile(job_.output);
   EXPECT_NE(klipper.find("EXCLUDE_OBJECT_DEFINE NAME=my_part_1 CENTER="), std::string::npos);

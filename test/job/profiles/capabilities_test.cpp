@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -106,6 +111,61 @@ TEST(Layers, AreNoHigherThanTheNozzlesOfBrimsAndRafts) {
       "raft.base_height_mm is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher "
       "than the nozzles that lay it are wide");
   EXPECT_EQ(refusalWith({low, {"raft.layers", "3"}, {"raft.base_height_mm", "0.25"}}), "");
+}
+
+TEST(AdaptiveLayers, KeepToWhatMachineAndNozzlesLay) {
+  const SettingText adaptive = {"slicing.heights", "adaptive"};
+  const SettingText nozzle = {"machine.nozzle_mm", "0.4"};
+  const SettingText high = {"adaptive.greatest_mm", "0.5"};
+  EXPECT_EQ(refusalOf({adaptive, high}), "") << "where nothing is known";
+  EXPECT_EQ(refusalOf({nozzle, high}), "") << "equal layers have no use for it";
+  EXPECT_EQ(refusalOf({adaptive, nozzle}), "");
+  EXPECT_EQ(refusalOf({adaptive, nozzle, {"adaptive.greatest_mm", "0.32"}}), "") << "0.8 of the nozzle";
+  EXPECT_EQ(refusalOf({adaptive, nozzle, high}),
+            "adaptive.greatest_mm is 0.5 mm; must be at most 0.32 mm, 0.8 of machine.nozzle_mm");
+  EXPECT_EQ(refusalOf({adaptive, high, {"machine.greatest_layer_mm", "0.3"}}),
+            "adaptive.greatest_mm is 0.5 mm; must be at most machine.greatest_layer_mm, 0.3 mm");
+  EXPECT_EQ(refusalOf({adaptive, {"machine.least_layer_mm", "0.1"}, {"adaptive.least_mm", "0.05"}}),
+            "adaptive.least_mm is 0.05 mm; must be at least machine.least_layer_mm, 0.1 mm");
+  EXPECT_EQ(
+      refusalOf({adaptive,
+                 high,
+                 {"tools.list.0.nozzle_mm", "0.8"},
+                 {"tools.list.1.nozzle_mm", "0.6"},
+                 {"tool.infill", "1"}}),
+      "adaptive.greatest_mm is 0.5 mm; must be at most 0.48 mm, 0.8 of nozzle_mm of tool 1 in tools.list");
+}
+
+TEST(LayersOfATable, KeepToWhatMachineAndNozzlesLay) {
+  const test::ScratchFolder folder;
+  const std::string table = folder.file("heights.csv");
+  writeStl(folder.file("box.stl"), makePart("box", {{"z_mm", "1"}}));
+  const auto refusalBy = [&](const std::string& rows, std::vector<SettingText> machine) {
+    writeFile(table, "z_mm,height_mm\n" + rows);
+    machine.push_back({"slicing.heights", "file"});
+    machine.push_back({"slicing.heights_file", table});
+    NoProgress nobody;
+    try {
+      runSliceJob({folder.file("box.stl"), "", loadJobSettings("", machine)}, nobody);
+      return std::string();
+    } catch (const InvalidConfig& error) {
+      return std::string(error.what());
+    }
+  };
+  const SettingText nozzle = {"machine.nozzle_mm", "0.4"};
+  const std::string thirds = "0.4,0.4\n0.7,0.3\n1.0,0.3\n";
+  EXPECT_EQ(refusalBy(thirds, {nozzle}), "") << "the first layer is as high as the nozzle is wide";
+  EXPECT_EQ(refusalBy("0.4,0.4\n1.0,0.6\n", {nozzle}),
+            "layer 1 of slicing.heights_file is 0.6 mm; must be at most 0.32 mm, 0.8 of machine.nozzle_mm");
+  EXPECT_EQ(
+      refusalBy("0.5,0.5\n0.75,0.25\n1.0,0.25\n", {nozzle}),
+      "layer 0 of slicing.heights_file is 0.5 mm; must be at most machine.nozzle_mm, 0.4 mm: a layer is "
+      "no higher than the nozzle is wide");
+  EXPECT_EQ(refusalBy(thirds, {{"machine.greatest_layer_mm", "0.3"}}),
+            "layer 0 of slicing.heights_file is 0.4 mm; must be at most machine.greatest_layer_mm, 0.3 mm");
+  EXPECT_EQ(refusalBy("0.3,0.3\n0.6,0.3\n0.9,0.3\n1.2,0.3\n", {{"machine.greatest_layer_mm", "0.3"}}), "");
+  EXPECT_EQ(refusalBy(thirds, {{"machine.least_layer_mm", "0.35"}}),
+            "layer 1 of slicing.heights_file is 0.3 mm; must be at least machine.least_layer_mm, 0.35 mm");
 }
 
 TEST(UnknownCapabilities, RefuseNothing) {

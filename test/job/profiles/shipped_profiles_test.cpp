@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
@@ -27,6 +28,21 @@ LayeredSettings loadShipped(const std::string& machine, const std::string& mater
   sources.material = material;
   sources.process = process;
   return loadLayered(sources, shipped());
+}
+
+TEST(ShippedProfiles, LayAdaptiveLayersOfTheirDefaultHeights) {
+  for (const std::string& machine : shipped().names(ProfileKind::Machine)) {
+    SettingsSources sources;
+    sources.machine = machine;
+    sources.overrides = {{"slicing.heights", "adaptive"}};
+    const LayeredSettings layered = loadLayered(sources, shipped());
+    if (depositsDrops(layered.settings.planning.infill.strategy)) continue;
+    EXPECT_NO_THROW(validate(layered)) << machine;
+  }
+  SettingsSources sources;
+  sources.machine = "prusa_mk4";
+  sources.overrides = {{"slicing.heights", "adaptive"}, {"adaptive.greatest_mm", "0.5"}};
+  EXPECT_THROW(validate(loadLayered(sources, shipped())), InvalidConfig);
 }
 
 class ShippedMachineProfile : public testing::TestWithParam<std::string> {};

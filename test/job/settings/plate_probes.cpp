@@ -41,7 +41,7 @@ std::vector<SettingProbe> plateProbes() {
             {"plate.spacing_mm=8"},
             {"plate.order=by_part"},
             {"plate.labels=m486"},
-            {"plate.labels=exclude_object"}}},
+            {"plate.labels=exclude_object", "program.dialect=klipper"}}},
           {"a part with modifiers", "", modified, {{"part.modifiers=dense.yaml"}}}};
 }
 

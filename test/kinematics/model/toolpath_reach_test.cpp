@@ -40,6 +40,29 @@ TEST(ToolpathReach, NamesTheFirstWaypointOutOfReach) {
   EXPECT_NE(unreachable(through({{0, 0, 0}, {0, 0, std::nan("")}}), space), "");
 }
 
+/// The head of a tool whose tip is 30 mm to the right stands 30 mm to the left of it.
+TEST(ToolpathReach, CountsTheOffsetsOfTools) {
+  const BuildSpace space = buildSpaceByName("cartesian_gantry");
+  const auto reached = [&](Toolpath toolpath, std::uint32_t tool) {
+    toolpath.layers[0].paths[0].tool = tool;
+    try {
+      requireReachable(toolpath, Eigen::Isometry3d::Identity(), space, {Point3::Zero(), Point3(30, -10, 0)});
+      return std::string();
+    } catch (const Unreachable& error) {
+      return std::string(error.what());
+    }
+  };
+  const Toolpath aside = through({{40, 100, 0}, {20, 100, 0}});
+  EXPECT_EQ(reached(aside, 0), "");
+  EXPECT_EQ(reached(aside, 1),
+            "layer 0, path 0, waypoint 1: with the offset of tool 1, axis x would be at -10.000 mm; "
+            "cartesian_gantry reaches 0.000 to 220.000 mm");
+  EXPECT_EQ(reached(aside, 2), "") << "of which nothing is known";
+  EXPECT_EQ(reached(through({{240, 100, 0}, {250, 100, 0}}), 1), "");
+  EXPECT_NE(reached(through({{240, 100, 0}, {250, 100, 0}}), 0), "");
+  EXPECT_NE(reached(through({{100, 211, 0}}), 1).find("axis y would be at 221.000 mm"), std::string::npos);
+}
+
 TEST(ToolpathReach, RefusesAnotherAngleOfTheNozzle) {
   EXPECT_EQ(unreachable(through({{0, 0, 0}, {10, 10, 10}}), buildSpaceByName("gantry_45")),
             "layer 0, path 0, waypoint 0: the nozzle would have to turn by 45.000 deg; the head of gantry_45 "

@@ -151,7 +151,11 @@ TEST(Hooks, RefuseWhatCannotBe) {
   hooks.layer_start = "M117 a\r\nM117 b";
   refused(hooks);
   hooks.layer_start.clear();
-  for (int i = 0; i < 1001; ++i) hooks.layer_start += "M400\n";
+  for (int i = 0; i < 1000; ++i) hooks.layer_start += "M400\n";
+  EXPECT_NO_THROW(requireConsistent(hooks)) << "a block of YAML ends its last line, too";
+  hooks.layer_start += "M400";
+  refused(hooks);
+  hooks.layer_start += "\n";
   refused(hooks);
   hooks = {};
   hooks.at_layer = {{"3", "M400"}};

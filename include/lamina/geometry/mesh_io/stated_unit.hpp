@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Refuses a unit other than millimetres for a mesh file that states its own (3MF and STEP, by their
-/// content), where it would change nothing.
+/// Refuses a unit other than millimetres for a file that states its own (3MF and STEP by their content, SVG
+/// by its name) and for a part by its name, where it would change nothing.
 /// @param option  what the unit was given by, for the message: "input.unit"
 /// @throws InvalidConfig naming the option, the unit and the file
 /// @throws FileError if the file cannot be read

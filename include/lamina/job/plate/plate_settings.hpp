@@ -28,6 +28,9 @@ enum class ObjectLabels : std::uint8_t {
   ExcludeObject  ///< Klipper
 };
 
+/// The value of `plate.labels`.
+const char* toString(ObjectLabels labels);
+
 /// How several parts share a bed.
 struct PlateSettings {
   PlateArrangement arrangement = PlateArrangement::Rows;

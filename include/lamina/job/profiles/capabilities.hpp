@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lamina/base/settings_schema.hpp"
 
@@ -36,5 +37,10 @@ void describe(SettingsSchema& schema, MaterialSettings& material);
 /// Checks temperatures, fan and layer heights against the machine and the nozzles of its tools.
 /// @throws InvalidConfig naming the key, its value, and what the machine can do
 void requireCapable(const JobSettings& settings);
+
+/// Checks the heights of layers that a table states, from the first on, as `requireCapable` does those of
+/// adaptive layers.
+/// @throws InvalidConfig naming the layer, its height, and what the machine can do
+void requireCapableOfTable(const std::vector<double>& heights_mm, const JobSettings& settings);
 
 }  // namespace lamina

@@ -43,7 +43,8 @@ struct LayeredSettings {
 };
 
 /// Loads the settings of a job: the defaults, overridden by one source after the other, and then what follows
-/// from the machine (`machineDefaults`), where the keys of `config` and `overrides` count as typed.
+/// from the machine (`machineDefaults`) and what the mode leaves out (`leftOut`), where the keys of `config`
+/// and `overrides` count as typed.
 /// @throws FileError
 /// @throws InvalidConfig as `ProfileLibrary::find` and `loadJobSettings`; if a profile has an unknown key or
 ///   an invalid value, naming file and line; if a material or process is not meant for the machine; if a

@@ -36,7 +36,7 @@ std::vector<MachineDefault> machineDefaults(const JobSettings& settings, const S
 /// that lists all of them.
 std::set<std::string> changedKeys(const JobSettings& settings);
 
-/// The settings, changed by what follows from the machine.
+/// The settings, changed by what follows from the machine, and without what the mode leaves out (`leftOut`).
 /// @param typed  keys that are not changed; former names of keys count too
 JobSettings withMachineDefaults(JobSettings settings, const std::set<std::string>& typed);
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -15,14 +16,17 @@ namespace lamina {
 /// @param values  of the axes [mm]
 std::string rangeFault(const BuildSpace& space, const Point3& values, double tolerance_mm);
 
-/// Checks that every position of the tip is in the build space, and that every tool axis is that of the head
-/// at rest. The rotation about the tool axis is free.
+/// Checks that the head reaches every position of the tip, and that every tool axis is that of the head at
+/// rest. The rotation about the tool axis is free.
 /// @param bed_from_part  [mm]
-/// @throws Unreachable naming layer, path and waypoint of the first fault: with axis, value and limits if a
-///   tip is outside; with the angle if the tool axis deviates by more than 0.01 deg from that of the head at
-///   rest
+/// @param tool_offsets_mm  of the tips of the tools, by number, from that of tool 0 [bed frame]: the head
+/// goes
+///   as far the other way; tools beyond have none
+/// @throws Unreachable naming layer, path and waypoint of the first fault: with axis, value and limits, and
+///   the tool if it has an offset, if a tip is outside; with the angle if the tool axis deviates by more than
+///   0.01 deg from that of the head at rest
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const BuildSpace& space);
+                      const BuildSpace& space, const std::vector<Point3>& tool_offsets_mm = {});
 
 /// Checks that every position of the tip is in the build space, whichever way the tool axis points.
 /// @throws Unreachable as above if a tip is outside

@@ -10,7 +10,12 @@
 namespace lamina {
 
 /// The firmware for which the command of the pressure advance is written.
-enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
+enum class AdvanceWord : std::uint8_t {
+  Dialect,  ///< that of the dialect of the program; where none is known, that of Marlin
+  Marlin,
+  Klipper,
+  RepRapFirmware
+};
 
 /// Limits and lag of the flow through a nozzle.
 struct FlowSettings {
@@ -20,7 +25,7 @@ struct FlowSettings {
   double coast_longest_mm = 2.0;  ///< greatest length that is left to the pressure
   double advance_s = 0.0;         ///< pressure advance of the firmware; 0 leaves it alone
   std::string advance_by_role;    ///< [s], as "outer_wall=0.04, infill=0.06"; `advance_s` for other roles
-  AdvanceWord advance_word = AdvanceWord::Marlin;
+  AdvanceWord advance_word = AdvanceWord::Dialect;
   double lag_s = 0.0;        ///< time constant of the flow, which the program compensates; 0 for none
   double dead_time_s = 0.0;  ///< dead time of the flow, which the program compensates; 0 for none
 };

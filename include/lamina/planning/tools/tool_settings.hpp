@@ -46,6 +46,9 @@ void describe(SettingsSchema& schema, ToolSettings& settings);
 /// @throws InvalidConfig if an entry is no field of a tool, a value does not fit, or a number is missing
 std::vector<Tool> toolsOf(const ToolSettings& settings);
 
+/// Offsets of the nozzles of these tools, in order [bed frame].
+std::vector<Point3> toolOffsets(const ToolSettings& settings);
+
 /// Number of the tool that deposits paths of that role.
 std::size_t toolFor(PathRole role, const ToolSettings& settings);
 

@@ -34,6 +34,8 @@ struct GcodeDialect {
   std::string pause = "M0";        ///< command that waits for the operator
   std::string progress;       ///< command that reports {percent} done, {minutes} left; empty if there is none
   std::string accelerations;  ///< command that sets {deposit}, {travel} [mm/s²]; empty if there is none
+  std::string advance;        ///< value of `flow.advance_word` for its firmware; empty if it takes none
+  std::string labels;         ///< value of `plate.labels` that its firmware takes; empty if it takes none
   int least_fan = 1;  ///< least S of M106 that the firmware counts in 255ths; below it, S is a share up to 1
 };
 

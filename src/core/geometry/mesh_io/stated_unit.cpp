@@ -7,6 +7,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "lamina/geometry/svg/svg_reader.hpp"
 #include "mesh_formats.hpp"
 
 namespace lamina {
@@ -18,19 +20,29 @@ std::string nameOf(LengthUnit wanted) {
   return "";
 }
 
+[[noreturn]] void refuse(const std::string& option, LengthUnit unit, const std::string& because) {
+  throw InvalidConfig(option + " is " + nameOf(unit) + ", but " + because);
+}
+
 }  // namespace
 
 void requireUnitUnstated(const std::string& path, LengthUnit unit, const std::string& option) {
   if (unit == LengthUnit::Millimetre) return;
+  const std::string kept =
+      "; expected " + nameOf(LengthUnit::Millimetre) + ", the default, which leaves that of the ";
+  if (isPartName(path))
+    refuse(option, unit, "'" + path + "' is a part whose lengths are in mm" + kept + "part");
+  if (isSvgName(path))
+    refuse(option, unit, "'" + path + "' is an SVG file, which states its own unit" + kept + "file");
   InputFile file(path);
   // What is read from a pipe is gone for whoever reads the mesh.
   if (file.size() == 0) return;
   std::array<char, kBinaryStlStart> buffer{};
   const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
   if (!isThreemf(start) && !isStep(start)) return;
-  throw InvalidConfig(option + " is " + nameOf(unit) + ", but '" + path + "' is a " +
-                      (isStep(start) ? "STEP" : "3MF") + " file, which states its own unit; expected " +
-                      nameOf(LengthUnit::Millimetre) + ", the default, which leaves that of the file");
+  refuse(option, unit,
+         "'" + path + "' is a " + (isStep(start) ? "STEP" : "3MF") + " file, which states its own unit" +
+             kept + "file");
 }
 
 }  // namespace lamina

@@ -107,7 +107,9 @@ PlannedPart planNamed(const std::string& mode, const SourcePart& source, const P
   const SliceJob job = jobBy(mode, request.job);
   validate(job.settings);
   summary.mode = mode;
-  return planShown(source, mode, {job, request.space, request.bed_from_part}, progress);
+  PlannedPart planned = planShown(source, mode, {job, request.space, request.bed_from_part}, progress);
+  addNotesOf(job, planned);
+  return planned;
 }
 
 std::string noteOnHeld(const PlanningRequest& request) {

@@ -36,6 +36,7 @@ PlannedPart plannedBy(const SliceJob& job, const SourcePart& source, const Plann
   if (totals(planned.plan.toolpath).deposition_runs == 0)
     throw InvalidInput("no bead is deposited in any of its " + std::to_string(planned.counts.layers) +
                        " layers; expected at least one");
+  addNotesOf(job, planned);
   return planned;
 }
 
@@ -68,11 +69,21 @@ UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& sett
                             criteriaOf(settings));
 }
 
+void addNotesOf(const SliceJob& job, PlannedPart& planned) {
+  const std::vector<std::string>& left_out = job.settings.giving_way.notes;
+  planned.notes.insert(planned.notes.end(), left_out.begin(), left_out.end());
+}
+
 SliceJob jobBy(const std::string& mode, SliceJob job) {
   JobSettings& settings = job.settings;
   settings.slicing.mode = mode;
   settings.directions.max_overhang_deg = settings.automatic.max_overhang_deg;
   settings.volumetric.max_overhang_deg = settings.automatic.max_overhang_deg;
+  // The part has been read, and is as large as shrinkage makes it, for all modes.
+  settings.giving_way.keys.erase("compensation.shrink_xy");
+  settings.giving_way.keys.erase("compensation.shrink_z");
+  settings.giving_way.notes.clear();
+  settings = withoutLeftOut(std::move(settings));
   return job;
 }
 

@@ -35,6 +35,9 @@ UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& sett
 /// The job with the mode replaced, and the overhang that all modes are compared at.
 SliceJob jobBy(const std::string& mode, SliceJob job);
 
+/// Adds what the job has left out for its mode to the notes on the plan.
+void addNotesOf(const SliceJob& job, PlannedPart& planned);
+
 /// Slices by a named mode. An Unsliceable is thrown on with the mesh of the part, on which its region is
 /// shown.
 /// @throws as `PlanFunction`

@@ -218,7 +218,8 @@ void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sli
   const bool is_as_planned =
       hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
   if (is_program || (is_as_planned && !is_five_axis))
-    return requireReachable(sliced.toolpath, sliced.bed_from_part, space);
+    return requireReachable(sliced.toolpath, sliced.bed_from_part, space,
+                            toolOffsets(job.settings.planning.tools));
   if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, space);
   const double turn_deg = toDegrees(greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space));
   if (turn_deg < 0.01) return;

@@ -156,6 +156,7 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
   if (volumes > 0 && !are_level) sliced.summary.notes.push_back(volumesNote(volumes));
+  for (const std::string& note : job.settings.giving_way.notes) sliced.summary.notes.push_back(note);
   if (drawn.maxCoeff() < kSmall) sliced.summary.notes.push_back(smallNote(drawn));
   if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, size));
   requireDeposition(sliced.toolpath, job.settings.planning);

@@ -100,6 +100,7 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
     source.volumes.clear();
   }
   LayerHeightsReport heights = layerHeightsOf(source.mesh, settings.slicing);
+  requireCapableOf(heights, settings);
   std::vector<Layer> layers = sliceIntoLayers(source, heights.bounds, settings.slicing, progress);
   const FirstLayerSettings& first_layer = settings.planning.first_layer;
   compensate(layers, settings.compensation, first_layer,

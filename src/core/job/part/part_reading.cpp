@@ -41,12 +41,10 @@ void requireFileOrPart(const std::string& part) {
 }
 
 Mesh readOrMake(const std::string& part, const InputSettings& settings, Progress& progress) {
-  if (isSvgName(part)) return extrudedOutline(part, settings);
   if (!isPartName(part)) requireFileOrPart(part);
-  if (!isPartName(part)) {
-    requireUnitUnstated(part, settings.units.unit, kUnit);
-    return readMesh(part, settings.units, settings.tessellation, progress);
-  }
+  requireUnitUnstated(part, settings.units.unit, kUnit);
+  if (isSvgName(part)) return extrudedOutline(part, settings);
+  if (!isPartName(part)) return readMesh(part, settings.units, settings.tessellation, progress);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
@@ -27,11 +28,10 @@ class Packing {
 
   Packing(const Box2& bed, double spacing_mm) : bed_(bed), spacing_mm_(spacing_mm) {}
 
-  /// @param hull  convex
-  void addFixed(const Polygon& hull, const Point2& at);
+  void addFixed(const Footprint& footprint, const Point2& at);
 
   /// Place of the next one, which stands there from then on; none if there is no room.
-  std::optional<PlatePlace> placed(const Polygon& hull);
+  std::optional<PlatePlace> placed(const Footprint& footprint);
 
  private:
   struct Standing {
@@ -64,6 +64,13 @@ constexpr std::size_t kDown = 3 * kCount / 4;
 Point2 direction(int index) {
   const double angle = 2.0 * M_PI * index / kCount;
   return {std::cos(angle), std::sin(angle)};
+}
+
+/// With brim or raft, which keep to the corners of the part as offsets do.
+Polygon covered(const Footprint& footprint) {
+  if (footprint.beside_mm == 0.0) return footprint.hull;
+  const Regions grown = offset({Region{footprint.hull, {}}}, footprint.beside_mm);
+  return grown.empty() ? footprint.hull : grown.front().outer;
 }
 
 Reach reachOf(const Polygon& hull) {
@@ -107,7 +114,9 @@ std::pair<double, double> within(const Reach& reach, double y) {
   return {low, high};
 }
 
-void Packing::addFixed(const Polygon& hull, const Point2& at) { standing_.push_back({reachOf(hull), at}); }
+void Packing::addFixed(const Footprint& footprint, const Point2& at) {
+  standing_.push_back({reachOf(covered(footprint)), at});
+}
 
 /// Where the origin of a footprint must not be, seen from that of one that stands.
 Packing::Reach Packing::keptClear(const Standing& standing, const Reach& reach) const {
@@ -157,8 +166,9 @@ std::optional<Point2> Packing::lowestLeft(const Reach& reach) const {
   return std::nullopt;
 }
 
-std::optional<PlatePlace> Packing::placed(const Polygon& hull) {
-  const Reach upright = reachOf(hull);
+std::optional<PlatePlace> Packing::placed(const Footprint& footprint) {
+  const Reach upright = reachOf(covered(footprint));
+  const Reach of_part = reachOf(footprint.hull);
   std::optional<PlatePlace> best;
   Standing standing;
   double least_top = std::numeric_limits<double>::infinity();
@@ -167,7 +177,7 @@ std::optional<PlatePlace> Packing::placed(const Polygon& hull) {
     const std::optional<Point2> at = lowestLeft(reach);
     if (!at || at->y() + reach[kUp] >= least_top - kTouching) continue;
     least_top = at->y() + reach[kUp];
-    best = PlatePlace{*at + middleOf(reach), eighths};
+    best = PlatePlace{*at + middleOf(turned(of_part, eighths)), eighths};
     standing = {reach, *at};
   }
   if (best) standing_.push_back(standing);
@@ -175,7 +185,7 @@ std::optional<PlatePlace> Packing::placed(const Polygon& hull) {
 }
 
 Box2 boxAt(const Footprint& footprint, const Point2& at) {
-  Box2 box = boundingBox({footprint.hull});
+  Box2 box = boundingBox({covered(footprint)});
   box.low += at;
   box.high += at;
   return box;
@@ -243,9 +253,10 @@ class Rows {
   char text[256];
   std::snprintf(
       text, sizeof text,
-      "part '%s' of %.4g x %.4g mm finds no room: parts and skirt may cover %.4g x %.4g mm of the bed, "
+      "part '%s' of %.4g x %.4g mm%s finds no room: parts and skirt may cover %.4g x %.4g mm of the bed, "
       "%.4g mm apart (plate.spacing_mm)",
-      footprint.name.c_str(), size.x(), size.y(), bed.size().x(), bed.size().y(), spacing_mm);
+      footprint.name.c_str(), size.x(), size.y(), footprint.beside_mm > 0.0 ? " with brim or raft" : "",
+      bed.size().x(), bed.size().y(), spacing_mm);
   throw Unreachable(text);
 }
 
@@ -275,26 +286,28 @@ std::vector<PlatePlace> packed(const std::vector<Footprint>& footprints, const B
       continue;
     }
     places[i].at_mm = *footprints[i].at_mm;
-    packing.addFixed(footprints[i].hull, places[i].at_mm);
+    packing.addFixed(footprints[i], places[i].at_mm);
   }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return signedArea(footprints[a].hull) > signedArea(footprints[b].hull);
   });
   for (const std::size_t i : order) {
-    const std::optional<PlatePlace> place = packing.placed(footprints[i].hull);
+    const std::optional<PlatePlace> place = packing.placed(footprints[i]);
     if (!place) refuseForRoom(footprints[i], bed, spacing_mm);
     places[i] = *place;
   }
   return places;
 }
 
-/// Of the hull as it is turned.
+/// Of the hull as it is turned, with brim or raft.
 Box2 turnedBox(const Footprint& footprint, const PlatePlace& place) {
   Box2 box;
+  Box2 whole;
   const Eigen::Rotation2D<double> turn(place.eighths * M_PI / 4.0);
   for (const Point2& corner : footprint.hull) box.include(turn * corner);
+  for (const Point2& corner : covered(footprint)) whole.include(turn * corner);
   const Point2 half = 0.5 * box.size();
-  return {place.at_mm - half, place.at_mm + half};
+  return {place.at_mm - half - (box.low - whole.low), place.at_mm + half + (whole.high - box.high)};
 }
 
 }  // namespace

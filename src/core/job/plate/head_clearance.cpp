@@ -78,7 +78,7 @@ void requireHeadClear(const std::vector<StandingPart>& parts, const std::vector<
   constexpr double kTolerance = 1e-6;
   for (std::size_t k = 1; k < order.size(); ++k) {
     const StandingPart& printed = parts[order[k]];
-    const Box3 tips = grown(printed.boxOnBed(), margin_mm);
+    const Box3 tips = grown(printed.boxBesides(), margin_mm);
     for (const MachineBody& body : head.bodies) {
       const Box3 swept = sweptBox(body, tips, head.axes_from_bed);
       for (std::size_t before = 0; before < k; ++before) {

@@ -22,7 +22,7 @@ struct MovingHead {
 std::vector<std::size_t> partOrder(const std::vector<StandingPart>& parts);
 
 /// Refuses an order in which a body of the head could touch a finished part. The bounding boxes of the
-/// bodies, swept by all tips over the box of the part being printed, its margin and its height, are compared
+/// bodies, swept by all tips over the box of the part being printed and what lies beside it, are compared
 /// with the boxes of the parts before. Conservative: an order that passes has no collision, but one that is
 /// refused may have none either.
 /// @param margin_mm  by which tips go beyond the box of the part being printed, and beads beyond the box of a

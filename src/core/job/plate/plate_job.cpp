@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -17,6 +18,7 @@
 #include "job/part/shrinkage.hpp"
 #include "job/plate/arrangement.hpp"
 #include "job/plate/head_clearance.hpp"
+#include "job/plate/laid_beside.hpp"
 #include "job/plate/plate_overlap.hpp"
 #include "job/plate/plate_toolpath.hpp"
 #include "job/plate/plate_tower.hpp"
@@ -32,6 +34,7 @@
 #include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "planning/planned_aids.hpp"
+#include "planning/tools/tool_order.hpp"
 
 namespace lamina {
 namespace {
@@ -209,11 +212,14 @@ Polygon hullOf(const Mesh& mesh) {
 }
 
 /// As it is deposited: larger where it shrinks afterwards.
-Polygon footprintOf(const PlateItem& item) {
-  if (!changesSize(item.settings.compensation)) return hullOf(item.mesh);
+Mesh depositedMesh(const PlateItem& item) {
   SourcePart source;
   source.mesh = item.mesh;
-  return hullOf(grownForShrinkage(std::move(source), item.settings).mesh);
+  return grownForShrinkage(std::move(source), item.settings).mesh;
+}
+
+Polygon footprintOf(const PlateItem& item) {
+  return hullOf(changesSize(item.settings.compensation) ? depositedMesh(item) : item.mesh);
 }
 
 std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items) {
@@ -223,6 +229,23 @@ std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items)
   return parts;
 }
 
+/// Of the bed, what the tips of all tools at work reach.
+Box2 commonReach(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
+  const std::vector<Point3> offsets_mm = toolOffsets(settings.planning.tools);
+  Box2 common{space.low.head<2>(), space.high.head<2>()};
+  const auto include = [&](const PlanSettings& planning) {
+    for (const std::uint32_t tool : toolsAtWork(planning)) {
+      if (tool >= offsets_mm.size()) continue;
+      const Point2 offset = offsets_mm[tool].head<2>();
+      common.low = common.low.cwiseMax(space.low.head<2>() + offset);
+      common.high = common.high.cwiseMin(space.high.head<2>() + offset);
+    }
+  };
+  include(settings.planning);
+  for (const PlateItem& item : items) include(item.settings.planning);
+  return common;
+}
+
 /// Of the bed, without room for skirt and tower.
 Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
   const SkirtSettings& skirt = settings.planning.skirt;
@@ -230,7 +253,8 @@ Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSe
       skirt.count > 0 ? skirt.distance_mm + skirt.count * settings.planning.bead.width_mm : 0.0;
   const Point2 margin = Point2::Constant(skirt_mm);
   const Point2 tower(roomForTower(settings, towerNeighbours(items)), 0.0);
-  return {space.low.head<2>() + margin, space.high.head<2>() - margin - tower};
+  const Box2 bed = commonReach(items, space, settings);
+  return {bed.low + margin, bed.high - margin - tower};
 }
 
 void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
@@ -240,7 +264,7 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
     stand(item);
     std::optional<Point2> at = item.part.at_mm;
     if (!at && settings.plate.arrangement == PlateArrangement::None) at = placeInFile(item);
-    footprints.push_back({item.name, footprintOf(item), at});
+    footprints.push_back({item.name, footprintOf(item), at, reachBeside(item.settings)});
   }
   const std::vector<PlatePlace> places =
       arranged(footprints, roomFor(items, space, settings), settings.plate);
@@ -253,11 +277,14 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
   }
 }
 
-std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items) {
+std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items, Progress& progress) {
   std::vector<StandingPart> parts;
   parts.reserve(items.size());
-  for (const PlateItem& item : items)
+  for (const PlateItem& item : items) {
     parts.push_back({item.name, &item.mesh, boundingBox(item.mesh), item.place.at_mm});
+    if (isUsed(item.settings.planning.adhesion))
+      parts.back().beside = laidBeside(depositedMesh(item), item.settings, progress);
+  }
   return parts;
 }
 
@@ -351,9 +378,10 @@ class PlateSlicer {
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
-    const std::vector<StandingPart> standing = standingParts(items_);
+    const std::vector<StandingPart> standing = standingParts(items_, progress);
     requireOnBed(standing, boundingBox(space_), space_.name);
     requireNoOverlap(standing, job_.settings.slicing.layer_height_mm, progress);
+    requireNoneBesideOverlaps(standing, job_.settings.slicing.first_layer_height_mm, progress);
     std::vector<std::size_t> order;
     if (job_.settings.plate.order == PlateOrder::ByPart) order = clearOrder(standing, job_.settings);
     planAll(of_plate, progress);

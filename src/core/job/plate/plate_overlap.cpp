@@ -53,7 +53,61 @@ void requireApart(const StandingPart& a, const StandingPart& b, double step_mm, 
   }
 }
 
+/// What stands and lies on the bed, for a part and for its brim or raft.
+struct OnBed {
+  Regions part;
+  Regions beside;
+};
+
+OnBed onBed(const StandingPart& part, double cut_mm, Progress& progress) {
+  OnBed on_bed{sectionsOf(part, {cut_mm}, progress).front(), part.beside};
+  for (Region& region : on_bed.beside) {
+    for (Point2& point : region.outer) point += part.at;
+    for (Polygon& hole : region.holes)
+      for (Point2& point : hole) point += part.at;
+  }
+  return on_bed;
+}
+
+void requireNoneBesideOverlaps(const StandingPart& a, const StandingPart& b, double cut_mm,
+                               Progress& progress) {
+  if (a.beside.empty() && b.beside.empty()) return;
+  const Box3 box_a = a.boxBesides();
+  const Box3 box_b = b.boxBesides();
+  if (!meet(box_a, box_b)) return;
+  const OnBed on_bed_a = onBed(a, cut_mm, progress);
+  const OnBed on_bed_b = onBed(b, cut_mm, progress);
+  double common_mm2 = 0.0;
+  Point2 place = Point2::Zero();
+  const auto add = [&](const Regions& of_a, const Regions& of_b) {
+    const Regions common = intersection(of_a, of_b);
+    if (!common.empty()) place = boundingBox(outlines(common)).centre();
+    common_mm2 += area(common);
+  };
+  add(on_bed_a.beside, on_bed_b.beside);
+  add(on_bed_a.part, on_bed_b.beside);
+  add(on_bed_a.beside, on_bed_b.part);
+  if (common_mm2 <= kTouchingArea) return;
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "' overlap by %.4g mm2 with brim or raft, about (%.2f, %.2f) mm of the bed; expected parts that "
+      "are farther apart, or narrower brims and rafts",
+      common_mm2, place.x(), place.y());
+  throw InvalidInput("parts '" + a.name + "' and '" + b.name + text);
+}
+
 }  // namespace
+
+Box3 StandingPart::boxBesides() const {
+  Box3 whole = boxOnBed();
+  for (const Region& region : beside)
+    for (const Point2& point : region.outer) {
+      const Point2 on_bed = point + at;
+      whole.include({on_bed.x(), on_bed.y(), whole.low.z()});
+    }
+  return whole;
+}
 
 Box3 StandingPart::boxOnBed() const {
   const Point3 shift(at.x(), at.y(), 0.0);
@@ -63,6 +117,13 @@ Box3 StandingPart::boxOnBed() const {
 void requireNoOverlap(const std::vector<StandingPart>& parts, double step_mm, Progress& progress) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t k = i + 1; k < parts.size(); ++k) requireApart(parts[i], parts[k], step_mm, progress);
+}
+
+void requireNoneBesideOverlaps(const std::vector<StandingPart>& parts, double first_layer_mm,
+                               Progress& progress) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t k = i + 1; k < parts.size(); ++k)
+      requireNoneBesideOverlaps(parts[i], parts[k], 0.5 * first_layer_mm, progress);
 }
 
 void requireOnBed(const std::vector<StandingPart>& parts, const Box3& space, const std::string& machine) {

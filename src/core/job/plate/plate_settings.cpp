@@ -4,6 +4,18 @@
 
 namespace lamina {
 
+const char* toString(ObjectLabels labels) {
+  switch (labels) {
+    case ObjectLabels::None:
+      return "none";
+    case ObjectLabels::M486:
+      return "m486";
+    case ObjectLabels::ExcludeObject:
+      return "exclude_object";
+  }
+  return "";
+}
+
 void describe(SettingsSchema& schema, PlateSettings& settings) {
   schema.choice<PlateArrangement>(
       "plate.arrange", settings.arrangement,

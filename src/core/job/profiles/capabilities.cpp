@@ -3,7 +3,9 @@
 #include "lamina/job/profiles/capabilities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lamina/base/error.hpp"
@@ -16,14 +18,14 @@ namespace {
 
 /// A setting and the capability that it is bounded by.
 struct Asked {
-  const char* key;
+  std::string key;
   double value;
   const char* unit;
 };
 
 void requireAtMost(const Asked& asked, const char* capability, double greatest, const std::string& because) {
   if (greatest > 0.0 && asked.value > greatest)
-    throw InvalidConfig(std::string(asked.key) + " is " + numberText(asked.value) + " " + asked.unit +
+    throw InvalidConfig(asked.key + " is " + numberText(asked.value) + " " + asked.unit +
                         "; must be at most " + capability + ", " + numberText(greatest) + " " + asked.unit +
                         because);
 }
@@ -42,13 +44,18 @@ void requireTemperatures(const JobSettings& settings) {
                 machine.greatest_bed_c, "");
 }
 
-void requireLayerHeight(const char* key, double height_mm, const MachineCapabilities& machine) {
+void requireLayerHeight(const std::string& key, double height_mm, const MachineCapabilities& machine) {
   const Asked height{key, height_mm, "mm"};
   requireAtMost(height, "machine.greatest_layer_mm", machine.greatest_layer_mm, "");
   if (height_mm < machine.least_layer_mm)
-    throw InvalidConfig(std::string(key) + " is " + numberText(height_mm) +
+    throw InvalidConfig(key + " is " + numberText(height_mm) +
                         " mm; must be at least machine.least_layer_mm, " +
                         numberText(machine.least_layer_mm) + " mm");
+}
+
+void requireNozzle(const Asked& height, const MachineCapabilities& machine) {
+  requireAtMost(height, "machine.nozzle_mm", machine.nozzle_mm,
+                ": a layer is no higher than the nozzle is wide");
 }
 
 constexpr double kHighestBead = 0.8;  // of the nozzle's diameter
@@ -78,6 +85,28 @@ void requireLayersForTools(const JobSettings& settings) {
                         std::to_string(tool) + " in tools.list " + numberText(nozzle_mm) +
                         " mm; a layer is no higher than the nozzles that lay it are wide");
   }
+}
+
+/// A bead that is higher is hardly pressed onto what lies below it.
+void requirePressed(const Asked& height, const JobSettings& settings) {
+  const auto require = [&](double nozzle_mm, const std::string& of) {
+    if (nozzle_mm <= 0.0 || height.value <= kHighestBead * nozzle_mm * (1.0 + 1e-9)) return;
+    throw InvalidConfig(height.key + " is " + numberText(height.value) + " mm; must be at most " +
+                        numberText(kHighestBead * nozzle_mm) + " mm, 0.8 of " + of);
+  };
+  require(settings.capabilities.nozzle_mm, "machine.nozzle_mm");
+  const std::vector<Tool> tools = toolsOf(settings.planning.tools);
+  for (const std::uint32_t tool : toolsAtWork(settings.planning))
+    if (tool < tools.size())
+      require(tools[tool].nozzle_mm, "nozzle_mm of tool " + std::to_string(tool) + " in tools.list");
+}
+
+void requireAdaptiveHeights(const JobSettings& settings) {
+  if (settings.slicing.heights != LayerHeights::Adaptive) return;
+  const AdaptiveSettings& adaptive = settings.slicing.adaptive;
+  requireLayerHeight("adaptive.least_mm", adaptive.least_mm, settings.capabilities);
+  requireLayerHeight("adaptive.greatest_mm", adaptive.greatest_mm, settings.capabilities);
+  requirePressed({"adaptive.greatest_mm", adaptive.greatest_mm, "mm"}, settings);
 }
 
 /// Infill of several layers at once is no higher than beads of the nozzle may be.
@@ -135,13 +164,24 @@ void requireCapable(const JobSettings& settings) {
     throw InvalidConfig("fan.use is true with machine.has_fan false; expected false");
   requireLayerHeight("slicing.layer_height_mm", settings.slicing.layer_height_mm, machine);
   requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
-  for (const Asked& height :
-       {Asked{"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"},
-        Asked{"slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, "mm"}})
-    requireAtMost(height, "machine.nozzle_mm", machine.nozzle_mm,
-                  ": a layer is no higher than the nozzle is wide");
+  requireNozzle({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, machine);
+  requireNozzle({"slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, "mm"}, machine);
   requireLayersForTools(settings);
+  requireAdaptiveHeights(settings);
   requireInfillHeight(settings);
+}
+
+void requireCapableOfTable(const std::vector<double>& heights_mm, const JobSettings& settings) {
+  constexpr double kPerMillimetre = 1e6;  // what sums of heights leave is no height
+  for (std::size_t i = 0; i < heights_mm.size(); ++i) {
+    const Asked height{"layer " + std::to_string(i) + " of slicing.heights_file",
+                       std::round(heights_mm[i] * kPerMillimetre) / kPerMillimetre, "mm"};
+    requireLayerHeight(height.key, height.value, settings.capabilities);
+    if (i == 0)
+      requireNozzle(height, settings.capabilities);
+    else
+      requirePressed(height, settings);
+  }
 }
 
 }  // namespace lamina

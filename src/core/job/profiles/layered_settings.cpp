@@ -58,18 +58,37 @@ class LayeredLoad {
 
   /// What nobody has stated follows from the machine, and stands where that is said of it.
   void setMachineDefaults() {
+    const StatedKeys stated = statedKeys();
+    for (const MachineDefault& each : machineDefaults(layered_.settings, stated))
+      set(each.setting, each.follows, placeOfKey(each.follows));
+  }
+
+  /// What nobody has typed gives way to the slicing mode.
+  void leaveOutByMode() {
+    GivingWay& giving_way = layered_.settings.giving_way;
+    giving_way.keys = keysGivingWay(statedKeys().typed);
+    const std::vector<SettingText> left_out = leftOut(layered_.settings);
+    giving_way.notes = withoutLeftOut(layered_.settings).giving_way.notes;
+    for (const SettingText& each : left_out) set(each, kMode, placeOfKey(kMode));
+  }
+
+ private:
+  static constexpr const char* kMode = "slicing.mode";
+
+  StatedKeys statedKeys() const {
     StatedKeys stated;
     for (const auto& [key, said] : layered_.origins) {
       stated.anywhere.insert(key);
       if (said.back().layer == "--config" || said.back().layer == "--set") stated.typed.insert(key);
     }
-    for (const MachineDefault& each : machineDefaults(layered_.settings, stated)) {
-      const auto found = layered_.origins.find(each.follows);
-      set(each.setting, each.follows, found == layered_.origins.end() ? "" : found->second.back().place);
-    }
+    return stated;
   }
 
- private:
+  std::string placeOfKey(const std::string& key) const {
+    const auto found = layered_.origins.find(key);
+    return found == layered_.origins.end() ? "" : found->second.back().place;
+  }
+
   LayeredSettings& layered_;
   SettingsSchema schema_;
 };
@@ -184,6 +203,7 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
   requireOneMachine(layered);
   load.setMachineDefaults();
+  load.leaveOutByMode();
   return layered;
 }
 

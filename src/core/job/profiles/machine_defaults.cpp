@@ -3,6 +3,7 @@
 #include "lamina/job/profiles/machine_defaults.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lamina/base/number_text.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
@@ -136,7 +137,8 @@ JobSettings withMachineDefaults(JobSettings settings, const std::set<std::string
   stated.anywhere = stated.typed;
   for (const MachineDefault& each : machineDefaults(settings, stated))
     schema.set(each.setting.key, each.setting.text);
-  return settings;
+  settings.giving_way.keys = keysGivingWay(stated.typed);
+  return withoutLeftOut(std::move(settings));
 }
 
 }  // namespace lamina

@@ -43,9 +43,11 @@ enum class Checked { Pose, Tip };
 /// Checks the paths of one layer with what it needs once.
 class ReachCheck {
  public:
-  ReachCheck(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, Checked checked)
+  ReachCheck(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, Checked checked,
+             const std::vector<Point3>& tool_offsets_mm = {})
       : space_(space),
         bed_from_part_(bed_from_part),
+        offsets_(tool_offsets_mm),
         values_from_bed_(Eigen::Matrix3d(space.bed_from_axes.linear()).inverse()),
         checked_(checked) {}
 
@@ -60,8 +62,17 @@ class ReachCheck {
     return true;
   }
 
+  /// Offset of the tip that the path is run with, in the part frame.
+  Point3 offsetOf(const Path& path) const {
+    if (path.tool >= offsets_.size()) return Point3::Zero();
+    return bed_from_part_.linear().transpose() * offsets_[path.tool];
+  }
+
   std::string fault(const Path& path, std::size_t waypoint) const {
-    std::string found = rangeFault(space_, valuesAt(path.points[waypoint]), kReachTolerance);
+    const Point3 offset = offsetOf(path);
+    std::string found = rangeFault(space_, valuesAt(path.points[waypoint] - offset), kReachTolerance);
+    if (!found.empty() && !offset.isZero())
+      found = "with the offset of tool " + std::to_string(path.tool) + ", " + found;
     if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
       found =
           toolAxisFault(space_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
@@ -76,6 +87,7 @@ class ReachCheck {
 
   const BuildSpace& space_;
   const Eigen::Isometry3d& bed_from_part_;
+  std::vector<Point3> offsets_;
   Eigen::Matrix3d values_from_bed_;
   Checked checked_;
 };
@@ -83,8 +95,10 @@ class ReachCheck {
 std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
   Box3 box;
   Point3 sum = Point3::Zero();
-  for (const Path& path : layer.paths)
-    for (const Point3& point : path.points) box.include(point), sum += point;
+  for (const Path& path : layer.paths) {
+    const Point3 offset = check.offsetOf(path);
+    for (const Point3& point : path.points) box.include(point - offset), sum += point;
+  }
   // No box shows a point that is not a number.
   const bool is_within = sum.allFinite() && !box.isEmpty() && check.hasWithinLimits(box);
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
@@ -127,8 +141,8 @@ std::string rangeFault(const BuildSpace& space, const Point3& values, double tol
 }
 
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const BuildSpace& space) {
-  requireNoFault(toolpath, ReachCheck(space, bed_from_part, Checked::Pose));
+                      const BuildSpace& space, const std::vector<Point3>& tool_offsets_mm) {
+  requireNoFault(toolpath, ReachCheck(space, bed_from_part, Checked::Pose, tool_offsets_mm));
 }
 
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,

@@ -30,6 +30,7 @@ std::string advanceLine(AdvanceWord word, const StatedAdvance& stated) {
       return "SET_PRESSURE_ADVANCE ADVANCE=" + value;
     case AdvanceWord::RepRapFirmware:
       return "M572 D" + std::to_string(stated.tool) + " S" + value;
+    case AdvanceWord::Dialect:
     case AdvanceWord::Marlin:
       break;
   }

@@ -24,10 +24,11 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
   schema.text("flow.advance_by_role", flow.advance_by_role,
               "Roles that have another, as 'outer_wall=0.04, infill=0.06'.");
   schema.choice<AdvanceWord>("flow.advance_word", flow.advance_word,
-                             {{"marlin", AdvanceWord::Marlin},
+                             {{"dialect", AdvanceWord::Dialect},
+                              {"marlin", AdvanceWord::Marlin},
                               {"klipper", AdvanceWord::Klipper},
                               {"reprapfirmware", AdvanceWord::RepRapFirmware}},
-                             "Firmware by whose word it is sent.");
+                             "Firmware by whose word it is sent; dialect for that of program.dialect.");
   schema.number("flow.lag_s", flow.lag_s, {0.0, 100.0},
                 "Time constant by which the flow follows what is pushed, made up for in the program.");
   schema.number("flow.dead_time_s", flow.dead_time_s, {0.0, 100.0},

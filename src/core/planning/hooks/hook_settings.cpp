@@ -34,7 +34,9 @@ std::string movingLine(const std::string& code) {
 void requireFit(const std::string& key, const std::string& code, const HookSettings& settings) {
   if (code.find('\r') != std::string::npos)
     throw InvalidConfig(key + " holds a carriage return; expected lines ended by line feeds");
-  const std::ptrdiff_t lines = std::count(code.begin(), code.end(), '\n') + 1;
+  // A block of YAML ends its last line, too.
+  const std::ptrdiff_t unended = code.empty() || code.back() == '\n' ? 0 : 1;
+  const std::ptrdiff_t lines = std::count(code.begin(), code.end(), '\n') + unended;
   if (lines > kMostLines)
     throw InvalidConfig(key + " has " + std::to_string(lines) + " lines; expected at most " +
                         std::to_string(kMostLines));

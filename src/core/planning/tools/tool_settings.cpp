@@ -100,6 +100,14 @@ std::vector<Tool> toolsOf(const ToolSettings& settings) {
   return tools;
 }
 
+std::vector<Point3> toolOffsets(const ToolSettings& settings) {
+  const std::vector<Tool> tools = toolsOf(settings);
+  std::vector<Point3> offsets_mm;
+  offsets_mm.reserve(tools.size());
+  for (const Tool& tool : tools) offsets_mm.push_back(tool.offset_mm);
+  return offsets_mm;
+}
+
 std::size_t toolFor(PathRole role, const ToolSettings& settings) {
   const int support = settings.support < 0 ? settings.walls : settings.support;
   switch (role) {

@@ -15,6 +15,8 @@ GcodeDialect marlin() {
   dialect.write = writeGcode;
   dialect.progress = "M73 P{percent} R{minutes}";
   dialect.accelerations = "M204 P{deposit} T{travel}";
+  dialect.advance = "marlin";
+  dialect.labels = "m486";
   return dialect;
 }
 
@@ -25,6 +27,8 @@ GcodeDialect klipper() {
   dialect.progress = "M73 P{percent}";
   dialect.accelerations = "SET_VELOCITY_LIMIT ACCEL={deposit}";
   dialect.pause = "PAUSE";
+  dialect.advance = "klipper";
+  dialect.labels = "exclude_object";
   return dialect;
 }
 
@@ -33,6 +37,7 @@ GcodeDialect klipper() {
 GcodeDialect repRapFirmware() {
   GcodeDialect dialect = marlin();
   dialect.pause = "M291";
+  dialect.advance = "reprapfirmware";
   dialect.least_fan = 2;
   return dialect;
 }
