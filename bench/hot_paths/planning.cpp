@@ -107,6 +107,40 @@ BENCHMARK_CAPTURE(SparseFill, cubic, "cubic")->RangeMultiplier(4)->Range(8, 128)
 BENCHMARK_CAPTURE(SparseFill, honeycomb, "honeycomb")->RangeMultiplier(4)->Range(8, 128);
 BENCHMARK_CAPTURE(SparseFill, gyroid, "gyroid")->RangeMultiplier(4)->Range(8, 128);
 
+/// A plate with round holes of 2 mm in a square grid, 4 mm apart, with n holes along each side.
+std::vector<Polygon> perforatedPlate(int n) {
+  const double side = 4.0 * n;
+  std::vector<Polygon> contours = {{{0, 0}, {side, 0}, {side, side}, {0, side}}};
+  contours.reserve(1 + static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) {
+      Polygon& hole = contours.emplace_back();
+      hole.reserve(32);
+      for (int i = 0; i < 32; ++i) {
+        const double angle = -2.0 * M_PI * i / 32;
+        hole.emplace_back(4.0 * column + 2.0 + std::cos(angle), 4.0 * row + 2.0 + std::sin(angle));
+      }
+    }
+  return contours;
+}
+
+/// Layers of a solid plate whose area grows with its holes: four times the holes are four times the work.
+void PlanHoles(benchmark::State& state, const char* strategy) {
+  const ThreadLimit one_thread(1);
+  const auto side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
+  std::vector<Layer> layers;
+  layers.reserve(4);
+  for (int i = 0; i < 4; ++i) layers.push_back({{0.2 * i, 0.2 * (i + 1)}, {perforatedPlate(side), {}}});
+  PlanSettings settings;
+  settings.infill.strategy = strategy;
+  settings.infill.density = 1.0;
+  NoProgress progress;
+  for (auto _ : state) benchmark::DoNotOptimize(planToolpath("plate", layers, settings, progress));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK_CAPTURE(PlanHoles, zigzag, "zigzag")->Arg(36)->Arg(144)->Arg(576)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanHoles, contour, "contour")->Arg(36)->Arg(144)->Arg(576)->Unit(benchmark::kMillisecond);
+
 void PlanLayers(benchmark::State& state) {
   const ThreadLimit one_thread(1);
   std::vector<Layer> layers;

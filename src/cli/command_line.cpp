@@ -30,9 +30,26 @@ void printFailure(const Failure& failure, const Counts& counts, OutputFormat for
   std::printf("%s\n", json.dump().c_str());
 }
 
+/// "; did you mean ...?" with the option of the called subcommand that is nearest to the first one that it
+/// does not have; empty if there is none like it.
+std::string optionSuggestion(const CLI::App& app) {
+  const std::vector<std::string> extras = app.remaining(true);
+  const auto given = std::find_if(extras.begin(), extras.end(),
+                                  [](const std::string& each) { return each.rfind("--", 0) == 0; });
+  if (given == extras.end()) return {};
+  const CLI::App* called = &app;
+  while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : called->get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return suggestionFor(names, given->substr(0, given->find('=')));
+}
+
 /// What the parser says, in words for people where it has none.
-std::string messageOf(const CLI::Error& error) {
+std::string messageOf(const CLI::App& app, const CLI::Error& error) {
   std::string message = error.what();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+    return message + optionSuggestion(app);
   const std::string too_many = ": At Most 1 required but received ";
   const std::size_t at = message.find(too_many);
   if (at == std::string::npos) return message;
@@ -44,7 +61,7 @@ std::string messageOf(const CLI::Error& error) {
 int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
   const bool is_failure = error.get_exit_code() != 0;
   if (!is_failure || format == OutputFormat::Text) return app.exit(error);
-  printFailure({ErrorCode::InvalidConfig, messageOf(error)}, {}, format);
+  printFailure({ErrorCode::InvalidConfig, messageOf(app, error)}, {}, format);
   return error.get_exit_code();
 }
 
@@ -120,8 +137,8 @@ std::string subcommandOf(int argc, char** argv) {
 int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return messageOf(error) + "\nRun with --help for more information.\n";
+  app.failure_message([](const CLI::App* refusing, const CLI::Error& error) {
+    return messageOf(*refusing, error) + "\nRun with --help for more information.\n";
   });
   app.set_version_flag("--version", "lamina " + laminaVersion(), "Print the version and exit");
   Chosen chosen;

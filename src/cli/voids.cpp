@@ -88,6 +88,7 @@ void printJson(const VoidReport& report, const VoidArguments& arguments) {
                {"voids", sums.voids},
                {"voids_by_class", classCounts(report.layers)},
                {"offset_mm", {report.part.offset.x(), report.part.offset.y()}}});
+  if (!report.part.other_section.empty()) json["other_section"] = report.part.other_section;
   if (arguments.layer) json["layer"] = layerToJson(report.layers[*arguments.layer], *arguments.layer);
   if (!arguments.output.empty()) json["output"] = arguments.output;
   if (!arguments.picture.empty()) json["picture"] = arguments.picture;
@@ -99,6 +100,7 @@ void printText(const VoidReport& report, const VoidArguments& arguments) {
   std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
   if (!report.part.missing.empty())
     std::printf("missing     %zu layers of the part, counted as uncovered\n", report.part.missing.size());
+  if (!report.part.other_section.empty()) std::printf("note        %s\n", report.part.other_section.c_str());
   printShare("uncovered", sums.uncovered, report);
   printShare("overfill", sums.overfill, report);
   std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);

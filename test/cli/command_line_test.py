@@ -73,6 +73,16 @@ class CommandLine(unittest.TestCase):
         self.assertIn("lamina help SUBCOMMAND", run("help").stdout)
         self.assertIn("there is no subcommand 'slise'; did you mean 'slice'", run("help", "slise").stderr)
 
+    def test_an_unknown_option_names_the_one_that_is_like_it(self):
+        for arguments, meant in ((("slice", "box", "--otput", "x.csv"), "--output"), (("slice", "box", "--sett=a=b"), "--set"),
+                                 (("calibrate", "time", "--outputt", "x.yaml"), "--output")):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 109)
+            self.assertIn(f"; did you mean '{meant}'?\n", done.stderr)
+        self.assertNotIn("did you mean", run("slice", "box", "--xyzzy").stderr)
+        message = self.assert_fails_with("InvalidConfig", "slice", "box", "--otput", "x.csv")["error"]["message"]
+        self.assertIn("; did you mean '--output'?", message)
+
     def test_the_version_is_that_of_the_package(self):
         package = os.path.join(os.path.dirname(__file__), "..", "..", "package.xml")
         with open(package, encoding="utf-8") as file:

@@ -41,6 +41,39 @@ TEST(LeftOpen, CountsAFinThatNoCellFitsInto) {
   }
 }
 
+LeftOpen leftOpenInRegion(const std::string& strategy, const std::string& strategy_of_region,
+                          const Regions& region) {
+  const auto settingsOf = [](const std::string& name) {
+    PlanSettings settings;
+    settings.skirt.count = 0;
+    settings.walls.count = 0;
+    settings.infill.strategy = name;
+    settings.infill.density = 1.0;
+    return settings;
+  };
+  const std::vector<Layer> layers = {{{0.0, 0.2}, {{kFinned}, {}}}};
+  const std::vector<PlanVariant> variants = {{settingsOf(strategy_of_region), {region}}};
+  NoProgress progress;
+  const VariedBed bed{Box2{{-100.0, -100.0}, {100.0, 100.0}}, variants};
+  return planPart("fin", layers, settingsOf(strategy), bed, progress).left_open;
+}
+
+// The region is the fin alone, with the 0.5 mm beside it.
+TEST(LeftOpen, CountsOfALayerWithRegionsThoseInCells) {
+  const Regions fin = {Region{test::rectangle(9.5, 3.5, 21, 4.8), {}}};
+  constexpr double kRegionArea = kFinArea + 0.5 * 1.3;
+  const LeftOpen of_region = leftOpenInRegion("zigzag", "hilbert", fin);
+  EXPECT_NEAR(of_region.area_mm2, kRegionArea, 0.05);
+  EXPECT_GT(of_region.open_mm2, 0.95 * kFinArea);
+  EXPECT_EQ(of_region.open_layers, 1U);
+  const LeftOpen of_rest = leftOpenInRegion("hilbert", "zigzag", fin);
+  EXPECT_NEAR(of_rest.area_mm2, kSquareArea + kFinArea - kRegionArea, 0.05);
+  const LeftOpen of_both = leftOpenInRegion("hilbert", "hilbert", fin);
+  EXPECT_NEAR(of_both.area_mm2, kSquareArea + kFinArea, 0.05);
+  EXPECT_GT(of_both.open_mm2, 0.95 * kFinArea);
+  EXPECT_EQ(leftOpenInRegion("zigzag", "zigzag", fin).area_mm2, 0.0);
+}
+
 TEST(LeftOpen, IsNotMeasuredWhereAFillIsSparseOrFitted) {
   EXPECT_EQ(leftOpenBy("hilbert_quadtree", 0.5).area_mm2, 0.0);
   EXPECT_EQ(leftOpenBy("zigzag", 1.0).area_mm2, 0.0);

@@ -78,8 +78,16 @@ TEST(SinusoidalTest, AlternatesSineAndCosineBeforeItTurns) {
     return std::abs(path.points.back().x() - path.points.front().x()) > 8.0;
   };
   EXPECT_TRUE(isAlongX(0) && isAlongX(1) && !isAlongX(2) && !isAlongX(3) && isAlongX(4));
-  EXPECT_NEAR(quarterOf(filaments(toolpath.layers[0])[0], 20).y(), 0.5, 1e-12);
-  EXPECT_NEAR(quarterOf(filaments(toolpath.layers[1])[0], 20).y(), 1.0, 1e-12);
+  // A quarter of a cycle on, a sine of amplitude 0.5 about 0.5 is at 1, and a cosine at 0.5.
+  const auto quarter = [](const Toolpath& of, std::size_t layer) {
+    return quarterOf(filaments(of.layers[layer])[0], 20).y();
+  };
+  EXPECT_NEAR(quarter(toolpath, 0), 1.0, 1e-12) << "layer 1 is odd";
+  EXPECT_NEAR(quarter(toolpath, 1), 0.5, 1e-12);
+  settings.first_wave = FirstWave::Cosine;
+  const Toolpath other = makeScaffold("sinusoidal", settings);
+  EXPECT_NEAR(quarter(other, 0), 0.5, 1e-12);
+  EXPECT_NEAR(quarter(other, 1), 1.0, 1e-12);
 }
 
 TEST(SinusoidalTest, MirroredFilamentsSwingAgainstEachOther) {

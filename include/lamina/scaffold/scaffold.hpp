@@ -27,7 +27,8 @@ ScaffoldSettings scaffoldDefaults(const std::string& name);
 ///
 /// A sinusoidal scaffold of side L has layers of n filaments y_i(x) = A + i (L - 2 A) / (n - 1) + A f(2 pi B
 /// x / L), x from 0 to L, i from 0 to n - 1, with amplitude A, B cycles, and f the sine or cosine. Layers are
-/// turned about the middle by 90 deg from one to the next, or every two layers if sine and cosine alternate.
+/// turned about the middle by 90 deg from one to the next, or every two layers if sine and cosine alternate,
+/// which begins with `first_wave`.
 /// If filaments are mirrored, every other one has -A f. Unless `bead_fill` is set, the cross-section of a
 /// bead is pi/4 of its width times height, and 0.98 of it if filaments are mirrored: with these factors the
 /// porosities of [Vega2023, tables 29 and 31] come out.

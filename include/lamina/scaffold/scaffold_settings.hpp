@@ -23,7 +23,14 @@ enum class FullSpacing {
 enum class ScaffoldWave {
   Cosine,
   Sine,
-  SineCosine,  ///< cosine in the first layer, sine in the second, and so on
+  SineCosine,  ///< one in the first layer, the other in the second, and so on (`FirstWave`)
+};
+
+/// Which wave the first layer has where sine and cosine alternate.
+enum class FirstWave {
+  Sine,  ///< sine in odd layers, the first one being 1, and cosine in even ones, as [Vega2023,
+         ///< section 7.2.1.1]
+  Cosine,
 };
 
 /// How neighbouring filaments of a sinusoidal scaffold are arranged.
@@ -57,6 +64,7 @@ struct ScaffoldSettings {
   int solid_layers = 0;    ///< number of solid layers at the bottom, and again at the top
 
   ScaffoldWave wave = ScaffoldWave::Sine;
+  FirstWave first_wave = FirstWave::Sine;  ///< for SineCosine only
   FilamentArrangement arrangement = FilamentArrangement::Parallel;
   double amplitude_mm = 0.5;  ///< of the wave
   int cycles = 5;             ///< number of cycles of the wave along the length

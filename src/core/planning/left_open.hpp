@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// What a layer leaves open, if it is to be solid and its fill lies in cells; all 0 otherwise, and where
-/// regions of it have settings of their own.
+/// What a layer leaves open where it is to be solid and its fill lies in cells, be it by the settings of the
+/// plan or by those of a region of their own; all 0 if that is nowhere. A bead counts for all that it covers.
 /// @param planned  the layer, where it was sliced
 LeftOpen leftOpenIn(const StackedLayer& stacked, const ToolpathLayer& planned, std::size_t index,
                     const PlanContext& context);

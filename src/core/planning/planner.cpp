@@ -473,7 +473,9 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   };
   const PlanContext on_bed = bedContext(layers.empty() ? context : contextAt(0));
   std::vector<PlannedLayer> planned(layers.size());
-  StackRelease release(of_stack, regions.spent, layers.size());
+  // Chains are laid within the sections when all layers are planned.
+  const bool is_chained = context.strategy.link == LayerLink::Chained;
+  StackRelease release(of_stack, is_chained ? nullptr : regions.spent, layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
@@ -492,8 +494,10 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
               {of_settings.settings, on_bed.settings, travel_settings, context.anchor});
   const TravelMaker travel = context.lift ? spaceTravels(paths, travel_settings, of_settings.standing_mm)
                                           : levelTravels(travel_settings);
-  if (context.strategy.link == LayerLink::Chained)
-    chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
+  const std::vector<Layer> nowhere;
+  if (is_chained)
+    chainLayers(paths, context.lift ? nowhere : layers, of_settings.settings, chainAnchor(paths, context),
+                travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
   putOnRaft(plan, of_stack.aids, context, progress);
   if (usesTools(of_settings, regions)) arrangeByTools(paths, of_settings, travel);

@@ -155,8 +155,10 @@ bool isMirrored(const ScaffoldSettings& settings) {
 
 /// Offset of a filament from its middle line, over the amplitude.
 double waveAt(const ScaffoldSettings& settings, std::size_t layer, double phase) {
+  const bool has_first_wave = layer % 2 == 0;
   const bool is_sine =
-      settings.wave == ScaffoldWave::Sine || (settings.wave == ScaffoldWave::SineCosine && layer % 2 != 0);
+      settings.wave == ScaffoldWave::Sine || (settings.wave == ScaffoldWave::SineCosine &&
+                                              has_first_wave == (settings.first_wave == FirstWave::Sine));
   return is_sine ? std::sin(phase) : std::cos(phase);
 }
 

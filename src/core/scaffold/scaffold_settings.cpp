@@ -57,6 +57,9 @@ void describeWaves(SettingsSchema& schema, ScaffoldSettings& settings) {
                  {"sine", ScaffoldWave::Sine},
                  {"sine_cosine", ScaffoldWave::SineCosine}},
                 "Line of the filaments of a sinusoidal scaffold.");
+  schema.choice("scaffold.first_wave", settings.first_wave,
+                {{"sine", FirstWave::Sine}, {"cosine", FirstWave::Cosine}},
+                "Line of the first layer of a sine_cosine scaffold; every other layer has it.");
   schema.choice("scaffold.arrangement", settings.arrangement,
                 {{"parallel", FilamentArrangement::Parallel}, {"mirrored", FilamentArrangement::Mirrored}},
                 "Whether each filament is the same as the one before, or its mirror image.");

@@ -207,6 +207,23 @@ TEST(Parts, RefusesAnUnknownNameNamingTheOthers) {
   EXPECT_EQ(refusal("balde"), "there is no part 'balde'" + known + "; did you mean 'blade'?");
 }
 
+TEST(Parts, RefusesAnUnknownParameterNamingTheOneThatIsLikeIt) {
+  const auto refusal = [](const std::string& key) -> std::string {
+    try {
+      makePart("sphere", {{key, "3"}});
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string known = "; it has radius_mm, segments";
+  EXPECT_EQ(refusal("radius"),
+            "part 'sphere' has no parameter 'radius'" + known + "; did you mean 'radius_mm'?");
+  EXPECT_EQ(refusal("segmets"),
+            "part 'sphere' has no parameter 'segmets'" + known + "; did you mean 'segments'?");
+  EXPECT_EQ(refusal("x_mm"), "part 'sphere' has no parameter 'x_mm'" + known);
+}
+
 TEST(Parts, RefusesParametersThatContradictEachOther) {
   EXPECT_THROW(makePart("tube", {{"inner_radius_mm", "10"}}), InvalidConfig);
   EXPECT_THROW(makePart("tee", {{"stem_mm", "76"}}), InvalidConfig);

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/modifiers/modifier.hpp"
 #include "lamina/job/plate/plate_job.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -65,6 +66,24 @@ TEST_F(ModifiersTest, HoldInABox) {
   EXPECT_GT(box.low.x(), 10.0 - 0.1);
   EXPECT_NEAR(box.low.z(), 1.2, 1e-9);  // top of the first layer whose middle lies in it
   EXPECT_NEAR(box.high.z(), 3.0, 1e-9);
+}
+
+// A lattice of squares in a corner cut off at 45 degrees.
+TEST_F(ModifiersTest, SaysWhatCellsOfASolidInfillInARegionLeaveOpen) {
+  writeStl(job_.part, makePart("cylinder", {{"radius_mm", "10"}, {"height_mm", "1"}}));
+  job_.settings.planning.infill.density = 1.0;
+  const auto noteOf = [this](const std::string& list) {
+    write(list);
+    NoProgress nobody;
+    std::string found;
+    for (const std::string& note : runSliceJob(job_, nobody).summary.notes)
+      if (note.rfind("cells of solid infill", 0) == 0) found = note;
+    return found;
+  };
+  const std::string note =
+      noteOf("  - {box_mm: [[0, 0, -1], [10, 10, 3]], settings: {infill.strategy: hilbert}}\n");
+  EXPECT_EQ(note.rfind("cells of solid infill of regions do not fit everywhere: ", 0), 0U) << note;
+  EXPECT_EQ(noteOf("  - {box_mm: [[0, 0, -1], [10, 10, 3]], settings: {infill.strategy: zigzag}}\n"), "");
 }
 
 TEST_F(ModifiersTest, HoldInAMesh) {

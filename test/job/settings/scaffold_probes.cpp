@@ -46,6 +46,7 @@ SettingProbe wavesProbe() {
           "",
           scaffold("sinusoidal"),
           {{"scaffold.wave=cosine"},
+           {"scaffold.first_wave=cosine", "scaffold.wave=sine_cosine"},
            {"scaffold.arrangement=mirrored"},
            {"scaffold.amplitude_mm=0.3"},
            {"scaffold.cycles=4"},

@@ -163,6 +163,47 @@ TEST_F(OtherSectionTest, BeadsWhereThePartHasAHoleAreRefused) {
       << refusal;
 }
 
+TEST_F(OtherSectionTest, AHoleThroughPartOfTheLayersIsRefused) {
+  // Layers of the hole, of four: two are neighbours.
+  Toolpath program = wallsAround({{0.5, 29.5}, {9.5, 20.5}});
+  const Toolpath full = wallsAround({{0.5, 29.5}});
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  for (const std::size_t first : {0U, 2U}) {
+    Toolpath half = program;
+    half.layers[first] = full.layers[first];
+    half.layers[first + 1] = full.layers[first + 1];
+    const std::string refusal = refusalOf(half);
+    EXPECT_NE(refusal.find("2 of 4 layers are of another section"), std::string::npos) << refusal;
+  }
+}
+
+TEST_F(OtherSectionTest, BeadsInAHoleOfPartOfTheLayersAreRefused) {
+  Toolpath program = wallsAround({{0.5, 29.5}});
+  for (ToolpathLayer& layer : program.layers) {
+    Path line = linesFrom(0, 1, 1).layers[0].paths[0];
+    line.points = {{1, 15, layer.z_mm}, {29, 15, layer.z_mm}};
+    layer.paths.push_back(line);
+  }
+  const Mesh below = test::boxBetween({0, 0, -1}, {30, 30, 0});
+  lays(joined(below, plateWithHole()));
+  const std::string refusal = refusalOf(program);
+  // The lowest two of its four layers are full.
+  EXPECT_NE(refusal.find("2 of 4 layers"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("(in layer 2 6.678 mm of beads"), std::string::npos) << refusal;
+}
+
+TEST_F(OtherSectionTest, ASingleLayerOfAnotherSectionIsNamed) {
+  Toolpath program = wallsAround({{0.5, 29.5}});
+  const Toolpath holed = wallsAround({{0.5, 29.5}, {9.5, 20.5}});
+  lays(test::boxBetween({0, 0, 0}, {30, 30, 2}));
+  EXPECT_EQ(run(program).part.other_section, "");
+  program.layers[1] = holed.layers[1];
+  EXPECT_EQ(run(program).part.other_section,
+            "in layer 1 nothing is deposited in a hole of 9.893 x 9.893 mm, where the part has material");
+  program.layers[3] = holed.layers[3];
+  EXPECT_EQ(refusalOf(program), "") << "two that are no neighbours";
+}
+
 TEST_F(OtherSectionTest, AHoleThatIsFilledIsNone) {
   Toolpath program = wallsAround({{0.5, 29.5}, {9.5, 20.5}});
   for (ToolpathLayer& layer : program.layers) {

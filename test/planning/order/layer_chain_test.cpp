@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lamina/geometry/polygon/offset.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
@@ -68,17 +70,51 @@ TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
   }
 }
 
+/// A ball of 4 mm, and cones, which end in a point: each layer is cut half way up.
+std::vector<NamedPart> pointedParts() {
+  const auto middle = [](int i) { return kHeight * (i + 0.5); };
+  const auto ball = [&](int i) {
+    const double up = middle(i) - 4.0;
+    return std::vector<Polygon>{circle({0, 0}, std::sqrt(16.0 - up * up), 128)};
+  };
+  const auto cone = [&](double base_mm, int i) {
+    return std::vector<Polygon>{circle({0, 0}, base_mm * (1.0 - middle(i) / 4.0), 128)};
+  };
+  return {{"ball", layersOf(40, ball)},
+          {"cone", layersOf(19, [&](int i) { return cone(5.0, i); })},
+          {"flat cone", layersOf(18, [&](int i) { return cone(8.0, i); })}};
+}
+
 // [Guacheta2021, figures 3-13 to 3-19]
 TEST(LayerChain, LaysNoPointOutsideTheOutline) {
-  for (const NamedPart& part : parts()) {
+  std::vector<NamedPart> all = parts();
+  for (NamedPart& part : pointedParts()) all.push_back(std::move(part));
+  for (const NamedPart& part : all) {
     const Toolpath toolpath = plan(part.layers, contoursOnly());
     for (std::size_t i = 0; i < part.layers.size(); ++i) {
       const std::vector<Polygon>& outline = part.layers[i].section.contours;
       for (const Path& path : toolpath.layers[i].paths)
-        // The first point is where the layer below ended; see below.
-        for (std::size_t k = i == 0 ? 0 : 1; k < path.points.size(); ++k)
-          ASSERT_TRUE(contains(outline, path.points[k].head<2>())) << part.name << ", layer " << i;
+        for (const Point3& point : path.points)
+          ASSERT_TRUE(path.role == PathRole::Travel || contains(outline, point.head<2>()))
+              << part.name << ", layer " << i;
     }
+  }
+}
+
+TEST(LayerChain, RisesOnlyFromPlacesOfABeadWithinTheNextLayer) {
+  constexpr double kWidth = 0.4;
+  for (const NamedPart& part : pointedParts()) {
+    const Toolpath toolpath = plan(part.layers, contoursOnly());
+    std::size_t rises = 0;
+    for (std::size_t i = 1; i < part.layers.size(); ++i)
+      for (const Path& path : toolpath.layers[i].paths) {
+        if (path.role == PathRole::Travel || path.points[0].z() > toolpath.layers[i].z_mm - 1e-9) continue;
+        ++rises;
+        const double radius = part.layers[i].section.contours[0][0].norm();
+        EXPECT_LE(path.points[0].head<2>().norm() + 0.5 * kWidth, radius + 0.05 * kWidth + 1e-3)
+            << part.name << ", layer " << i;
+      }
+    EXPECT_GE(rises + 3, part.layers.size()) << part.name;
   }
 }
 

@@ -31,6 +31,9 @@ struct PlacedContours {
   /// Layers of the part that the program lacks, above its last layer or between others; they count as wholly
   /// uncovered.
   std::vector<LayerVoids> missing;
+  /// Where one layer is of another section than the part, between layers that are not: what it has; empty if
+  /// none is.
+  std::string other_section;
 };
 
 /// Cuts the part at half the height of each layer of the program, with its bottom at that of the first layer,
@@ -42,9 +45,9 @@ struct PlacedContours {
 /// used. Without a part, the contour of each layer is the area that its closed outer walls enclose.
 /// @throws InvalidMesh, FileError
 /// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as those
-///   of another part or scale, or what lies within them: beads outside the part, or holes without beads that
-///   the part does not have; if the offset is not finite, the layers are inclined, or the program's layers do
-///   not rise; if there is neither part nor outer wall
+///   of another part or scale, or what lies within them in two compared layers after each other: beads
+///   outside the part, or holes without beads that the part does not have; if the offset is not finite, the
+///   layers are inclined, or the program's layers do not rise; if there is neither part nor outer wall
 /// @throws Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 

@@ -50,7 +50,7 @@ Part part(const std::string& name, const std::string& meaning) {
       const auto found = std::find_if(settings.begin(), settings.end(), has_key);
       if (found == settings.end())
         throw InvalidConfig("part '" + name + "' has no parameter '" + value.key + "'; it has " +
-                            listed(keysOf(settings)));
+                            listed(keysOf(settings)) + suggestionFor(keysOf(settings), value.key));
       found->set(value.text);
     }
     return build(shape);

@@ -96,8 +96,9 @@ class Joiner {
   double firstPlace(const Loop& loop) { return random_.uniform(0.0, loop.length()); }
 
   bool joinToOthers(std::size_t loop, std::vector<std::size_t> others, const LinkLimits& limits) {
+    const std::size_t group = net_.groupOf(loop);
     others.erase(std::remove_if(others.begin(), others.end(),
-                                [&](std::size_t other) { return net_.groupOf(other) == net_.groupOf(loop); }),
+                                [&](std::size_t other) { return net_.groupOf(other) == group; }),
                  others.end());
     if (others.empty()) return false;
     const Loop& line = net_.loops()[loop];

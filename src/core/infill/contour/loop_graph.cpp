@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
@@ -123,21 +122,26 @@ bool Loop::isCrossedBy(const Point2& from, const Point2& to) const {
 }
 
 LoopGraph::LoopGraph(std::vector<Loop> loops)
-    : loops_(std::move(loops)), gaps_(loops_.size()), joints_(loops_.size()), parent_(loops_.size()) {
-  std::iota(parent_.begin(), parent_.end(), 0);
+    : loops_(std::move(loops)),
+      gaps_(loops_.size()),
+      joints_(loops_.size()),
+      group_(loops_.size()),
+      members_(loops_.size()) {
+  for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
+    group_[loop] = loop;
+    members_[loop] = {loop};
+  }
 }
 
-std::size_t LoopGraph::groupOf(std::size_t loop) const {
-  while (parent_[loop] != loop) loop = parent_[loop];
-  return loop;
-}
+std::size_t LoopGraph::groupOf(std::size_t loop) const { return group_[loop]; }
 
 void LoopGraph::merge(std::size_t a, std::size_t b) {
-  const std::size_t low = std::min(groupOf(a), groupOf(b));
-  for (std::size_t loop : {a, b}) {
-    while (parent_[loop] != loop) loop = std::exchange(parent_[loop], low);
-    parent_[loop] = low;
-  }
+  const std::size_t low = std::min(group_[a], group_[b]);
+  const std::size_t high = std::max(group_[a], group_[b]);
+  if (low == high) return;
+  for (const std::size_t loop : members_[high]) group_[loop] = low;
+  members_[low].insert(members_[low].end(), members_[high].begin(), members_[high].end());
+  members_[high].clear();
 }
 
 bool LoopGraph::isFree(const LoopGap& gap, double margin_mm) const {

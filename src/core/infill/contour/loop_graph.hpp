@@ -129,7 +129,8 @@ class LoopGraph {
   std::vector<std::vector<LoopGap>> gaps_;   ///< loop by loop
   std::vector<std::vector<Joints>> joints_;  ///< for each gap
   std::vector<std::array<Point2, 2>> links_;
-  std::vector<std::size_t> parent_;  ///< union-find
+  std::vector<std::size_t> group_;                 ///< of each loop: the lowest in it
+  std::vector<std::vector<std::size_t>> members_;  ///< of each group; asked for far more often than merged
 };
 
 }  // namespace lamina

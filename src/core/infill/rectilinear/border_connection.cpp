@@ -27,6 +27,13 @@ class MeasuredOutline {
   explicit MeasuredOutline(Polygon points) : points_(std::move(points)), along_(points_.size() + 1, 0.0) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       along_[i + 1] = along_[i] + (pointAfter(i) - points_[i]).norm();
+    for (const Point2& point : points_) box_.include(point);
+  }
+
+  /// Whether no point of it can be as near as that.
+  bool isFartherThan(double distance_mm, const Point2& point) const {
+    const Point2 beyond = (box_.low - point).cwiseMax(point - box_.high).cwiseMax(Point2::Zero());
+    return beyond.norm() > distance_mm + kRounding;
   }
 
   double length() const { return along_.back(); }
@@ -66,8 +73,12 @@ class MeasuredOutline {
  private:
   const Point2& pointAfter(std::size_t i) const { return points_[i + 1 < points_.size() ? i + 1 : 0]; }
 
+  /// The foot on an edge of the box may come out beyond it [mm].
+  static constexpr double kRounding = 1e-6;
+
   Polygon points_;
   std::vector<double> along_;
+  Box2 box_;
 };
 
 /// A way along the border to an end of another run.
@@ -136,6 +147,7 @@ class BorderWays {
     std::optional<BorderPlace> found;
     double least = reach;
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
+      if (outlines_[i].isFartherThan(least, point)) continue;
       auto [place, distance] = outlines_[i].nearest(point);
       if (distance > least) continue;
       least = distance;

@@ -152,15 +152,18 @@ void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
                             "' and walls.count 0: threads would cut the rim");
 }
 
-/// Of a solid infill in cells, where it leaves more open than others do.
+/// Of a solid infill in cells, where it leaves more open than others do. Where that of the plan is none,
+/// those of regions with settings of their own are meant.
 void addNoteOnOpen(SliceSummary& summary, const LeftOpen& open, const std::string& strategy) {
   if (open.open_layers == 0) return;
+  const std::string whose =
+      infillStrategy(strategy).solid == SolidFit::InCells ? "'" + strategy + "'" : "of regions";
   char text[256];
   std::snprintf(text, sizeof text,
-                "cells of solid infill '%s' do not fit everywhere: %.2f %% of its layers stays open, at most "
+                "cells of solid infill %s do not fit everywhere: %.2f %% of its layers stays open, at most "
                 "%.2f %%, in layer %zu; more than %.4g %% in %zu; voids.refill beads fills what beads can, "
                 "and infill.strategy contour or zigzag leaves less",
-                strategy.c_str(), 100.0 * open.open_mm2 / open.area_mm2, open.worst_percent, open.worst_layer,
+                whose.c_str(), 100.0 * open.open_mm2 / open.area_mm2, open.worst_percent, open.worst_layer,
                 kMostOpenPercent, open.open_layers);
   summary.notes.emplace_back(text);
 }

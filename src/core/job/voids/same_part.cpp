@@ -24,14 +24,18 @@ constexpr std::size_t kComparedSections = 16;
 struct Comparison {
   std::size_t compared = 0;
   std::size_t other = 0;
-  std::string first;  ///< empty as long as there is none
+  std::string first;            ///< empty as long as there is none
+  bool has_neighbours = false;  ///< whether two differ of which one was compared right after the other
+  bool is_last_other = false;
 
   void add(const std::string& difference) {
     ++compared;
-    if (difference.empty()) return;
-    if (other++ == 0) first = difference;
+    const bool is_other = !difference.empty();
+    if (is_other && other++ == 0) first = difference;
+    has_neighbours |= is_other && is_last_other;
+    is_last_other = is_other;
   }
-  bool isOfOtherPart() const { return 2 * other > compared; }
+  bool areMost() const { return 2 * other > compared; }
 };
 
 double widestBead(const ToolpathLayer& layer) {
@@ -136,12 +140,12 @@ void requireSameSize(const Toolpath& program, const std::vector<Regions>& sectio
     const Box2 cut = boundingBox(outlines(sections[i]));
     comparison.add(inLayer(i, differenceOfSize(deposited, cut, widestBead(program.layers[i]))));
   }
-  if (comparison.isOfOtherPart())
+  if (comparison.areMost())
     refuse(program, part, comparison, "size; expected the part that it lays, at its scale");
 }
 
-void requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
-                         const std::string& part) {
+std::string requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
+                                const std::string& part) {
   Comparison comparison;
   const std::size_t step = 1 + sections.size() / (kComparedSections + 1);
   for (std::size_t i = 0; i < sections.size(); i += step) {
@@ -149,8 +153,10 @@ void requireSameSections(const Toolpath& program, const std::vector<Regions>& se
     if (depositedBox(layer).isEmpty() || laysDrops(layer)) continue;
     comparison.add(inLayer(i, differenceOf(layer, wallContour(layer), sections[i])));
   }
-  if (comparison.isOfOtherPart())
+  // A step of the part that a program was cut just beside makes one layer differ, and not the next.
+  if (comparison.areMost() || comparison.has_neighbours)
     refuse(program, part, comparison, "section; expected the part that it lays, where it lays it");
+  return comparison.first;
 }
 
 }  // namespace lamina

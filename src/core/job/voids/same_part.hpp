@@ -22,8 +22,9 @@ void requireSameSize(const Toolpath& program, const std::vector<Regions>& sectio
 /// outer walls leave a hole without beads, wider than three of these, where the section has material. A
 /// program without outer walls is checked by its beads alone; layers of drops are not checked.
 /// @param sections  of the part, where the program lays them
-/// @throws InvalidInput if most of the layers are
-void requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
-                         const std::string& part);
+/// @returns what the first layer of another section has, and where; empty if there is none
+/// @throws InvalidInput if most of the layers are, or two that were compared one after the other
+std::string requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
+                                const std::string& part);
 
 }  // namespace lamina

@@ -119,7 +119,7 @@ std::vector<LayerVoids> missingLayers(const Toolpath& program, const SourcePart&
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress) {
   if (job.offset) requireFinite(*job.offset);
   requireLevelLayers(program, "the void map");
-  if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}};
+  if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}, {}};
   const SourcePart source = readPart(job.part, job.settings.input, progress);
   const Box3 box = boundingBox(source.mesh);
   const std::vector<Section> sections =
@@ -130,7 +130,7 @@ PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progre
   requireSameSize(program, placed.contours, job.part);
   placed.offset = job.offset ? *job.offset : findPlace(program, placed.contours, box, job);
   for (Regions& contour : placed.contours) contour = moved(std::move(contour), placed.offset);
-  requireSameSections(program, placed.contours, job.part);
+  placed.other_section = requireSameSections(program, placed.contours, job.part);
   placed.missing = missingLayers(program, source, box, progress);
   return placed;
 }

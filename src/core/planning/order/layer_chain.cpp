@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,50 @@ namespace {
 /// nearer to each other.
 constexpr double kLeftOut = 0.9;
 
+/// Of its width, how far a rising bead may stick out of the section: as much as outlines of one upright wall
+/// differ from layer to layer, each simplified by itself.
+constexpr double kMostOutside = 0.05;
+
+double squaredDistance(const Point2& point, const Point2& from, const Point2& to) {
+  const Point2 along = to - from;
+  const double squared = along.squaredNorm();
+  const double part = squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (from + part * along - point).squaredNorm();
+}
+
+/// Whether a bead that begins at a place lies in the section with all its width.
+bool hasRoomFor(const Section& section, const Point2& place, double width_mm) {
+  if (!contains(section.contours, place)) return false;
+  const double needed = (0.5 - kMostOutside) * width_mm;
+  for (const Polygon& contour : section.contours)
+    for (std::size_t i = 0; i < contour.size(); ++i)
+      if (squaredDistance(place, contour[i], contour[(i + 1) % contour.size()]) < needed * needed)
+        return false;
+  return true;
+}
+
+/// Of each motion that comes that near to a point: where it does so, first, in the middle and last.
+std::vector<JoinedLoopPlace> placesAround(const Path& joined_loop, const Point3& point, double reach_mm) {
+  std::vector<JoinedLoopPlace> places;
+  places.reserve(joined_loop.motionCount());
+  for (std::size_t motion = 0; motion < joined_loop.motionCount(); ++motion) {
+    const Point3& from = joined_loop.points[motion];
+    const Point3 along = joined_loop.points[joined_loop.motionEnd(motion)] - from;
+    const double squared = along.squaredNorm();
+    if (squared <= 0.0) continue;
+    const double middle = (point - from).dot(along) / squared;
+    const double room = reach_mm * reach_mm - (from + middle * along - point).squaredNorm();
+    if (room <= 0.0) continue;
+    const double half = std::sqrt(room / squared);
+    const double first = std::max(middle - half, 0.0);
+    const double last = std::min(middle + half, 1.0);
+    if (first > last) continue;
+    for (const double part : {first, 0.5 * (first + last), last})
+      places.push_back({motion, part, from + part * along});
+  }
+  return places;
+}
+
 bool isJoinedLoop(const Path& path, double pitch) {
   return path.is_closed && path.role == PathRole::Infill && path.deposit == Deposit::Bead &&
          length(path) > 2.0 * pitch;
@@ -25,9 +70,13 @@ bool isJoinedLoop(const Path& path, double pitch) {
 
 class LayerChain {
  public:
-  LayerChain(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,
-             const TravelMaker& travel)
-      : layers_(layers), settings_(settings), travel_(travel), nozzle_{anchor, nozzleDown()} {}
+  LayerChain(std::vector<ToolpathLayer>& layers, const std::vector<Layer>& sections,
+             const PlanSettings& settings, const Point3& anchor, const TravelMaker& travel)
+      : layers_(layers),
+        sections_(sections),
+        settings_(settings),
+        travel_(travel),
+        nozzle_{anchor, nozzleDown()} {}
 
   void join() {
     for (ToolpathLayer& layer : layers_) dropTravels(layer);
@@ -70,12 +119,13 @@ class LayerChain {
       const bool is_joined_loop = isJoinedLoop(path, pitch);
       if (is_joined_loop) {
         if (!has_begun_ && places_[index]) nozzle_.point = *places_[index];
-        path = openedTowards(path, pitch, is_last ? places_[index + 1] : std::nullopt);
+        path = is_last ? openedBelow(index + 1, path, pitch) : openedFromNozzle(path, pitch);
       }
       if (!paths.empty()) {
         std::optional<Path> travel = travel_(paths.back(), path, index);
         if (travel) paths.push_back(std::move(*travel));
-      } else if (is_joined_loop && has_begun_ && isWithinReach(path, pitch, layer.height_mm)) {
+      } else if (is_joined_loop && has_begun_ && isWithinReach(path, pitch, layer.height_mm) &&
+                 canRiseFrom(nozzle_.point, index, path.bead.at(0).width_mm)) {
         path = risingFrom(nozzle_, path);
       }
       has_begun_ = true;
@@ -93,16 +143,50 @@ class LayerChain {
     return (way - rise * up).norm() <= pitch && std::abs(rise) <= 2.0 * height;
   }
 
-  Path openedTowards(const Path& joined_loop, double pitch, const std::optional<Point3>& next) const {
-    const LoopOpening as_given = {nearestPlace(joined_loop, nozzle_.point), LoopSense::AsGiven,
-                                  kLeftOut * pitch};
-    if (!next) return opened(joined_loop, as_given);
-    LoopOpening reversed = as_given;
-    reversed.sense = LoopSense::Reversed;
-    const auto distance = [&](const LoopOpening& opening) {
-      return (endOfOpened(joined_loop, opening) - *next).norm();
-    };
-    return opened(joined_loop, distance(reversed) < distance(as_given) ? reversed : as_given);
+  /// Whether a bead from there stays within that layer. Sections of lifted layers are not where these lie.
+  bool canRiseFrom(const Point3& point, std::size_t layer, double width_mm) const {
+    return layer >= sections_.size() || hasRoomFor(sections_[layer].section, point.head<2>(), width_mm);
+  }
+
+  Path openedFromNozzle(const Path& joined_loop, double pitch) const {
+    return opened(joined_loop,
+                  {nearestPlace(joined_loop, nozzle_.point), LoopSense::AsGiven, kLeftOut * pitch});
+  }
+
+  /// The last loop below that layer, begun near the nozzle so that a bead can rise into that layer from its
+  /// end if there is such a place within reach, and in the direction that ends nearer to the layer's place.
+  Path openedBelow(std::size_t above, const Path& joined_loop, double pitch) const {
+    if (!places_[above]) return openedFromNozzle(joined_loop, pitch);
+    const JoinedLoopPlace nearest = nearestPlace(joined_loop, nozzle_.point);
+    const RatedOpening best = bestOf(above, joined_loop, {nearest}, pitch);
+    if (best.can_rise) return opened(joined_loop, best.opening);
+    const RatedOpening other =
+        bestOf(above, joined_loop, placesAround(joined_loop, nozzle_.point, pitch), pitch);
+    return opened(joined_loop, other.can_rise ? other.opening : best.opening);
+  }
+
+  struct RatedOpening {
+    LoopOpening opening;
+    bool can_rise = false;
+    double distance_mm = std::numeric_limits<double>::infinity();  ///< of its end from the next place
+  };
+
+  RatedOpening bestOf(std::size_t above, const Path& joined_loop, const std::vector<JoinedLoopPlace>& starts,
+                      double pitch) const {
+    const double width_mm = joined_loop.bead.at(0).width_mm;
+    RatedOpening best;
+    for (const JoinedLoopPlace& start : starts)
+      for (const LoopSense sense : {LoopSense::AsGiven, LoopSense::Reversed}) {
+        RatedOpening rated = {{start, sense, kLeftOut * pitch}, false, 0.0};
+        const Point3 end = endOfOpened(joined_loop, rated.opening);
+        rated.distance_mm = (end - *places_[above]).norm();
+        if (best.can_rise && rated.distance_mm >= best.distance_mm) continue;
+        rated.can_rise = canRiseFrom(end, above, width_mm);
+        if ((rated.can_rise && !best.can_rise) ||
+            (rated.can_rise == best.can_rise && rated.distance_mm < best.distance_mm))
+          best = rated;
+      }
+    return best;
   }
 
   /// The path with a bead from that point to its start put first.
@@ -127,6 +211,7 @@ class LayerChain {
   }
 
   std::vector<ToolpathLayer>& layers_;
+  const std::vector<Layer>& sections_;
   const PlanSettings& settings_;
   const TravelMaker& travel_;
   NozzlePose nozzle_;  ///< where the last path ended, or the anchor
@@ -136,9 +221,9 @@ class LayerChain {
 
 }  // namespace
 
-void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,
-                 const TravelMaker& travel) {
-  LayerChain(layers, settings, anchor, travel).join();
+void chainLayers(std::vector<ToolpathLayer>& layers, const std::vector<Layer>& sections,
+                 const PlanSettings& settings, const Point3& anchor, const TravelMaker& travel) {
+  LayerChain(layers, sections, settings, anchor, travel).join();
 }
 
 }  // namespace lamina
