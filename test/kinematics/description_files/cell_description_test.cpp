@@ -207,9 +207,9 @@ TEST_F(CellFolder, AReportNamesClassAndTraps) {
 TEST_F(CellFolder, LinksThatItIgnoresAreNotCheckedAgainstEachOther) {
   const LinkBodies bodies =
       linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, joint_3_link], [nozzle, joint_2_link]]\n"));
-  EXPECT_TRUE(areIgnored(bodies, "joint_3_link", "bed"));
-  EXPECT_TRUE(areIgnored(bodies, "nozzle", "joint_2_link"));
-  EXPECT_FALSE(areIgnored(bodies, "joint_3_link", "joint_2_link"));
+  EXPECT_TRUE(areUnchecked(bodies, "joint_3_link", "bed"));
+  EXPECT_TRUE(areUnchecked(bodies, "nozzle", "joint_2_link"));
+  EXPECT_FALSE(areUnchecked(bodies, "joint_3_link", "joint_2_link"));
   EXPECT_EQ(uncheckedLinks(bodies).back(), (std::pair<std::string, std::string>{"nozzle", "joint_2_link"}));
   const auto ofMissing = [&] { linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, hose]]\n")); };
   try {
@@ -225,17 +225,30 @@ TEST_F(CellFolder, LinksThatItIgnoresAreNotCheckedAgainstEachOther) {
 // R4: of a maker's arm nothing but neighbours goes unchecked.
 TEST(RobotReportOfAnArm, ListsNeighboursAloneAsUnchecked) {
   const RobotReport report = robotReport(kinematicModelByName("irb_4600")->urdf());
-  ASSERT_FALSE(report.unchecked.empty());
-  const LinkBodies bodies = linkBodies(kinematicModelByName("irb_4600")->urdf());
-  const auto groupOf = [&](const std::string& link) {
-    const auto has = [&](const RigidGroup& group) {
-      return std::find(group.links.begin(), group.links.end(), link) != group.links.end();
-    };
-    return static_cast<std::size_t>(std::find_if(bodies.groups.begin(), bodies.groups.end(), has) -
-                                    bodies.groups.begin());
-  };
-  for (const auto& [one, other] : report.unchecked)
-    EXPECT_EQ(bodies.groups.at(groupOf(other)).parent, groupOf(one)) << one << " against " << other;
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(report.unchecked, (Names{{"base_link", "link_1"},
+                                     {"link_1", "link_2"},
+                                     {"link_2", "link_3"},
+                                     {"link_3", "link_4"},
+                                     {"link_4", "link_5"},
+                                     {"link_5", "link_6"}}));
+}
+
+// A tool, a positioner and fences hang on links that joints connect, and are no neighbours of these.
+TEST(RobotReportOfACell, ListsNeighboursAloneAsUnchecked) {
+  const std::string file = std::string(LAMINA_SOURCE_DIR) + "/examples/robots/tilting_cell/cell.yaml";
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  const Names arm = {{"base_link", "link_1"}, {"link_1", "link_2"}, {"link_2", "link_3"},
+                     {"link_3", "link_4"},    {"link_4", "link_5"}, {"link_5", "link_6"}};
+  Names cell = arm;
+  cell.push_back({"positioner_frame", "positioner_cradle"});
+  cell.push_back({"positioner_cradle", "positioner_plate"});
+  EXPECT_EQ(robotReport(readMachineDescription(file)).unchecked, cell);
+  const std::string on_rail =
+      "cell:\n  packages: [.]\n  arm: {urdf: seam_arm_support/urdf/seam_arm.urdf, flange: tool0}\n"
+      "  rail: {axis: [0, 1, 0], lower_mm: -2000, upper_mm: 2000, mm_s: 500}\n"
+      "  bed: {xyz_mm: [1150, 0, 770], size_mm: [300, 300]}\n  bodies: [{mesh: head.stl}]\n";
+  EXPECT_EQ(robotReport(cellDescription(on_rail, file)).unchecked, arm);
 }
 
 TEST_F(CellFolder, XacroBecomesTheSameUrdf) {
