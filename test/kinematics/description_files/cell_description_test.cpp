@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -102,6 +103,47 @@ TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
   EXPECT_FALSE(solutions.empty());
   for (const InverseSolution& each : solutions)
     EXPECT_LT(test::distance(model->bedFromNozzle(each.values), model->bedFromNozzle(values)), 1e-9);
+}
+
+constexpr char kTiltingTable[] = "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n";
+
+/// A table whose joint next to the plate comes first, by its name and by the order of the elements.
+/// @param more  elements besides
+std::string turnBeforeTilt(const std::string& more) {
+  return "<robot name=\"table\"><link name=\"plate\"/><link name=\"frame\"/><link name=\"foot\"/>"
+         "<joint name=\"a_turn\" type=\"continuous\"><parent link=\"frame\"/><child link=\"plate\"/>"
+         "<axis xyz=\"0 0 1\"/><limit velocity=\"2\"/></joint>" +
+         more +
+         "<joint name=\"b_tilt\" type=\"revolute\"><parent link=\"foot\"/><child link=\"frame\"/>"
+         "<axis xyz=\"0 1 0\"/><limit lower=\"-1.5\" upper=\"2\" velocity=\"1\"/></joint></robot>";
+}
+
+TEST_F(CellFolder, AxesOfAPositionerAreNumberedOutwardInAnyOrderOfTheirElements) {
+  write("table.urdf", turnBeforeTilt(""));
+  const auto model = kinematicModelFromUrdf(cell(std::string(kPlain) + kTiltingTable));
+  ASSERT_EQ(model->joints().size(), 8U);
+  EXPECT_EQ(model->joints()[6].name, "external_1");
+  EXPECT_EQ(model->joints()[6].low, -1.5) << "the tilt, which carries the turn";
+  EXPECT_EQ(model->joints()[7].name, "external_2");
+  EXPECT_EQ(model->joints()[7].max_speed, 2.0);
+}
+
+TEST_F(CellFolder, ARodOfAPositionerFollowsItsAxis) {
+  write("table.urdf",
+        turnBeforeTilt("<link name=\"rod\"/><joint name=\"rod\" type=\"revolute\"><parent link=\"foot\"/>"
+                       "<child link=\"rod\"/><axis xyz=\"0 1 0\"/><mimic joint=\"b_tilt\" multiplier=\"-2\"/>"
+                       "<limit lower=\"-4\" upper=\"4\" velocity=\"2\"/></joint>"));
+  const auto model = kinematicModelFromUrdf(cell(std::string(kPlain) + kTiltingTable));
+  ASSERT_EQ(model->joints().size(), 8U);
+  JointValues values = JointValues::Constant(8, 0.1);
+  values[6] = 0.4;
+  const auto links = model->bedFromLinks(values);
+  const auto turned = [&](const char* link) {
+    const Eigen::Matrix3d turn = (links.at("positioner_foot").inverse() * links.at(link)).linear();
+    return std::atan2(turn(0, 2), turn(2, 2));
+  };
+  EXPECT_NEAR(turned("positioner_frame"), 0.4, 1e-9);
+  EXPECT_NEAR(turned("positioner_rod"), -0.8, 1e-9);
 }
 
 TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
