@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -102,6 +103,47 @@ TEST_F(CellFolder, RailAndPositionerAreExternalAxesInThisOrder) {
   EXPECT_FALSE(solutions.empty());
   for (const InverseSolution& each : solutions)
     EXPECT_LT(test::distance(model->bedFromNozzle(each.values), model->bedFromNozzle(values)), 1e-9);
+}
+
+constexpr char kTiltingTable[] = "  positioner: {urdf: table.urdf, flange: plate, xyz_mm: [900, 0, 0]}\n";
+
+/// A table whose joint next to the plate comes first, by its name and by the order of the elements.
+/// @param more  elements besides
+std::string turnBeforeTilt(const std::string& more) {
+  return "<robot name=\"table\"><link name=\"plate\"/><link name=\"frame\"/><link name=\"foot\"/>"
+         "<joint name=\"a_turn\" type=\"continuous\"><parent link=\"frame\"/><child link=\"plate\"/>"
+         "<axis xyz=\"0 0 1\"/><limit velocity=\"2\"/></joint>" +
+         more +
+         "<joint name=\"b_tilt\" type=\"revolute\"><parent link=\"foot\"/><child link=\"frame\"/>"
+         "<axis xyz=\"0 1 0\"/><limit lower=\"-1.5\" upper=\"2\" velocity=\"1\"/></joint></robot>";
+}
+
+TEST_F(CellFolder, AxesOfAPositionerAreNumberedOutwardInAnyOrderOfTheirElements) {
+  write("table.urdf", turnBeforeTilt(""));
+  const auto model = kinematicModelFromUrdf(cell(std::string(kPlain) + kTiltingTable));
+  ASSERT_EQ(model->joints().size(), 8U);
+  EXPECT_EQ(model->joints()[6].name, "external_1");
+  EXPECT_EQ(model->joints()[6].low, -1.5) << "the tilt, which carries the turn";
+  EXPECT_EQ(model->joints()[7].name, "external_2");
+  EXPECT_EQ(model->joints()[7].max_speed, 2.0);
+}
+
+TEST_F(CellFolder, ARodOfAPositionerFollowsItsAxis) {
+  write("table.urdf",
+        turnBeforeTilt("<link name=\"rod\"/><joint name=\"rod\" type=\"revolute\"><parent link=\"foot\"/>"
+                       "<child link=\"rod\"/><axis xyz=\"0 1 0\"/><mimic joint=\"b_tilt\" multiplier=\"-2\"/>"
+                       "<limit lower=\"-4\" upper=\"4\" velocity=\"2\"/></joint>"));
+  const auto model = kinematicModelFromUrdf(cell(std::string(kPlain) + kTiltingTable));
+  ASSERT_EQ(model->joints().size(), 8U);
+  JointValues values = JointValues::Constant(8, 0.1);
+  values[6] = 0.4;
+  const auto links = model->bedFromLinks(values);
+  const auto turned = [&](const char* link) {
+    const Eigen::Matrix3d turn = (links.at("positioner_foot").inverse() * links.at(link)).linear();
+    return std::atan2(turn(0, 2), turn(2, 2));
+  };
+  EXPECT_NEAR(turned("positioner_frame"), 0.4, 1e-9);
+  EXPECT_NEAR(turned("positioner_rod"), -0.8, 1e-9);
 }
 
 TEST_F(CellFolder, BedIsSeenAndMaterialsOfOneNameDoNotMeet) {
@@ -207,9 +249,9 @@ TEST_F(CellFolder, AReportNamesClassAndTraps) {
 TEST_F(CellFolder, LinksThatItIgnoresAreNotCheckedAgainstEachOther) {
   const LinkBodies bodies =
       linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, joint_3_link], [nozzle, joint_2_link]]\n"));
-  EXPECT_TRUE(areIgnored(bodies, "joint_3_link", "bed"));
-  EXPECT_TRUE(areIgnored(bodies, "nozzle", "joint_2_link"));
-  EXPECT_FALSE(areIgnored(bodies, "joint_3_link", "joint_2_link"));
+  EXPECT_TRUE(areUnchecked(bodies, "joint_3_link", "bed"));
+  EXPECT_TRUE(areUnchecked(bodies, "nozzle", "joint_2_link"));
+  EXPECT_FALSE(areUnchecked(bodies, "joint_3_link", "joint_2_link"));
   EXPECT_EQ(uncheckedLinks(bodies).back(), (std::pair<std::string, std::string>{"nozzle", "joint_2_link"}));
   const auto ofMissing = [&] { linkBodies(cell(std::string(kPlain) + "  ignore: [[bed, hose]]\n")); };
   try {
@@ -225,17 +267,30 @@ TEST_F(CellFolder, LinksThatItIgnoresAreNotCheckedAgainstEachOther) {
 // R4: of a maker's arm nothing but neighbours goes unchecked.
 TEST(RobotReportOfAnArm, ListsNeighboursAloneAsUnchecked) {
   const RobotReport report = robotReport(kinematicModelByName("irb_4600")->urdf());
-  ASSERT_FALSE(report.unchecked.empty());
-  const LinkBodies bodies = linkBodies(kinematicModelByName("irb_4600")->urdf());
-  const auto groupOf = [&](const std::string& link) {
-    const auto has = [&](const RigidGroup& group) {
-      return std::find(group.links.begin(), group.links.end(), link) != group.links.end();
-    };
-    return static_cast<std::size_t>(std::find_if(bodies.groups.begin(), bodies.groups.end(), has) -
-                                    bodies.groups.begin());
-  };
-  for (const auto& [one, other] : report.unchecked)
-    EXPECT_EQ(bodies.groups.at(groupOf(other)).parent, groupOf(one)) << one << " against " << other;
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(report.unchecked, (Names{{"base_link", "link_1"},
+                                     {"link_1", "link_2"},
+                                     {"link_2", "link_3"},
+                                     {"link_3", "link_4"},
+                                     {"link_4", "link_5"},
+                                     {"link_5", "link_6"}}));
+}
+
+// A tool, a positioner and fences hang on links that joints connect, and are no neighbours of these.
+TEST(RobotReportOfACell, ListsNeighboursAloneAsUnchecked) {
+  const std::string file = std::string(LAMINA_SOURCE_DIR) + "/examples/robots/tilting_cell/cell.yaml";
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  const Names arm = {{"base_link", "link_1"}, {"link_1", "link_2"}, {"link_2", "link_3"},
+                     {"link_3", "link_4"},    {"link_4", "link_5"}, {"link_5", "link_6"}};
+  Names cell = arm;
+  cell.push_back({"positioner_frame", "positioner_cradle"});
+  cell.push_back({"positioner_cradle", "positioner_plate"});
+  EXPECT_EQ(robotReport(readMachineDescription(file)).unchecked, cell);
+  const std::string on_rail =
+      "cell:\n  packages: [.]\n  arm: {urdf: seam_arm_support/urdf/seam_arm.urdf, flange: tool0}\n"
+      "  rail: {axis: [0, 1, 0], lower_mm: -2000, upper_mm: 2000, mm_s: 500}\n"
+      "  bed: {xyz_mm: [1150, 0, 770], size_mm: [300, 300]}\n  bodies: [{mesh: head.stl}]\n";
+  EXPECT_EQ(robotReport(cellDescription(on_rail, file)).unchecked, arm);
 }
 
 TEST_F(CellFolder, XacroBecomesTheSameUrdf) {

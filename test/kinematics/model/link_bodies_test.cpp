@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -23,7 +26,8 @@ std::size_t groupOf(const LinkBodies& bodies, const std::string& link) {
 bool canMeet(const LinkBodies& bodies, const std::string& a, const std::string& b) {
   std::pair<std::size_t, std::size_t> pair{groupOf(bodies, a), groupOf(bodies, b)};
   if (pair.first > pair.second) std::swap(pair.first, pair.second);
-  return std::find(bodies.pairs.begin(), bodies.pairs.end(), pair) != bodies.pairs.end();
+  return std::find(bodies.pairs.begin(), bodies.pairs.end(), pair) != bodies.pairs.end() &&
+         !areUnchecked(bodies, a, b);
 }
 
 TEST(LinkBodies, LinksJoinedFirmlyAreOneGroup) {
@@ -37,6 +41,7 @@ TEST(LinkBodies, LinksJoinedFirmlyAreOneGroup) {
 TEST(LinkBodies, LinksOfAUniversalJointAreNoPair) {
   const LinkBodies bodies = linkBodies(kinematicModelByName("rus_platform")->urdf());
   EXPECT_FALSE(canMeet(bodies, "crank_1", "coupler_1"));
+  EXPECT_TRUE(canMeet(bodies, "crank_1", "coupler_end_1")) << "the far end of the coupler";
   EXPECT_TRUE(canMeet(bodies, "crank_1", "coupler_2"));
   EXPECT_TRUE(canMeet(bodies, "coupler_1", "mobile_platform"));
 }
@@ -58,6 +63,28 @@ TEST(LinkBodies, LinksThatHangOnEachOtherAreNoPair) {
   EXPECT_FALSE(canMeet(bodies, "upper", "lower"));
   EXPECT_TRUE(canMeet(bodies, "bed", "lower"));
   EXPECT_FALSE(canMeet(bodies, "bed", "bare")) << "it has no body";
+}
+
+TEST(LinkBodies, WhatIsFixedBesideAJointIsNoNeighbourOfWhatThisMoves) {
+  const std::string body = "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision></link>";
+  const auto joint = [](const std::string& type, const std::string& parent, const std::string& child) {
+    return "<joint name=\"to_" + child + "\" type=\"" + type + "\"><parent link=\"" + parent +
+           "\"/><child link=\"" + child + "\"/><axis xyz=\"1 0 0\"/><limit lower=\"-1\" upper=\"1\" " +
+           "velocity=\"1\" effort=\"1\"/></joint>";
+  };
+  std::string urdf = "<robot name=\"cell\"><link name=\"world\"/>";
+  for (const char* link : {"bed", "fence", "base", "upper", "lower", "tool"})
+    urdf += std::string("<link name=\"") + link + "\">" + body;
+  urdf += joint("fixed", "world", "bed") + joint("fixed", "world", "fence") +
+          joint("prismatic", "world", "base") + joint("prismatic", "base", "upper") +
+          joint("prismatic", "upper", "lower") + joint("fixed", "lower", "tool") + "</robot>";
+  const LinkBodies bodies = linkBodies(urdf);
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(uncheckedLinks(bodies), (Names{{"base", "upper"}, {"upper", "lower"}}));
+  EXPECT_TRUE(canMeet(bodies, "fence", "base")) << "a carriage drives into a fence beside its rail";
+  EXPECT_TRUE(canMeet(bodies, "bed", "base"));
+  EXPECT_TRUE(canMeet(bodies, "upper", "tool")) << "the tool hangs on the link that the joint moves";
+  EXPECT_FALSE(canMeet(bodies, "base", "upper"));
 }
 
 TEST(LinkBodies, ShapesAndPlacesAreThoseOfTheDescription) {

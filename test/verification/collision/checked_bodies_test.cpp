@@ -42,6 +42,28 @@ TEST(CheckedBodies, LeaveOutLinksThatAreBuiltIntoEachOther) {
       << "the upper arm meets the fork at zero, but not in nearly all poses";
 }
 
+/// An arm whose shoulder, 150 mm beside axis 1, is in all its poses within a drum about this axis.
+/// @param drum  link that is the drum: `fence` or `base_link`, both fixed to the root
+std::string armWithin(const std::string& drum) {
+  std::string text = test::railArm();
+  const auto replace = [&text](const std::string& old, const std::string& by) {
+    text.replace(text.find(old), old.size(), by);
+  };
+  replace("name=\"external_1\" type=\"prismatic\"", "name=\"to_base\" type=\"fixed\"");
+  replace("</robot>", test::fixedJoint("fence", "room", "xyz=\"0 0 0\"") + "</robot>");
+  replace("<link name=\"joint_2_link\"/>", solidLink("joint_2_link", "0 0 0", "<sphere radius=\"0.1\"/>"));
+  replace("<link name=\"" + drum + "\"/>",
+          solidLink(drum, "0 0 0.5", "<cylinder radius=\"0.3\" length=\"0.4\"/>"));
+  return text;
+}
+
+TEST(CheckedBodies, LeaveOutNoFenceInWhichALinkAlwaysIs) {
+  EXPECT_TRUE(checkedBodies(*kinematicModelFromUrdf(armWithin("fence"))).ignored.empty());
+  EXPECT_EQ(checkedBodies(*kinematicModelFromUrdf(armWithin("base_link"))).ignored,
+            (LinkNames{{"base_link", "joint_2_link"}}))
+      << "the foot carries the link";
+}
+
 TEST(CheckedBodies, LeaveOutNothingOfAnArmWithoutContacts) {
   const auto arm = kinematicModelFromUrdf(test::railArm());
   EXPECT_TRUE(checkedBodies(*arm).ignored.empty());

@@ -102,6 +102,29 @@ JointClearanceReport jointClearanceChecked(const Toolpath& toolpath, const std::
                              settings, nobody);
 }
 
+/// The tipping head with a beam that carries it past the post to +x, and past a fence to -x.
+std::string beamBesideFence() {
+  std::string text = tippingHead(
+      R"(<collision><origin xyz="0 0 -0.2"/><geometry><sphere radius="0.001"/></geometry></collision>)");
+  const std::string bare = R"(<link name="beam"/>)";
+  return text.replace(text.find(bare), bare.size(), R"(
+    <link name="fence"><collision><origin xyz="-0.2 0 0"/><geometry><box size="0.01 0.01 0.2"/></geometry></collision></link>
+    <joint name="base_to_fence" type="fixed"><parent link="base_link"/><child link="fence"/></joint>
+    <link name="beam"><collision><origin xyz="0 0 0.05"/><geometry><box size="0.02 0.02 0.02"/></geometry></collision></link>)");
+}
+
+TEST(JointClearance, TheFirstLinkThatMovesMeetsAFenceBesideTheLinkThatCarriesIt) {
+  const auto movingTo = [](double x) {
+    return jointClearanceChecked({"way", {{1.0, 1.0, {jointClearanceTravel({{0, 0, 50}, {x, 0, 50}})}}}},
+                                 beamBesideFence());
+  };
+  const JointClearanceReport report = movingTo(-200.0);
+  ASSERT_FALSE(report.collisions.empty());
+  EXPECT_EQ(report.collisions.back().link, "beam");
+  EXPECT_EQ(report.collisions.back().other, "fence");
+  EXPECT_TRUE(movingTo(200.0).collisions.empty()) << "the beam slides on the link of the post";
+}
+
 TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
   EXPECT_TRUE(rc::check("any half angle and tilt", [](std::uint64_t seed) {
     Random random(seed);

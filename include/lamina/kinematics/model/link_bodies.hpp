@@ -30,20 +30,23 @@ struct RigidGroup {
 struct LinkBodies {
   std::vector<RigidGroup> groups;
   std::size_t bed = 0;  ///< index of the group that carries the part
-  /// Pairs of groups that can collide: all except those that are connected by one joint, or by several joints
-  /// that turn about one point without solid pieces in between, as a universal joint does. Groups connected
-  /// in this way are built to touch.
+  /// Pairs of groups with links that can collide.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  /// Links of such groups that are not checked against each other, as the description says by
+  /// Solid links that are built to touch, the parent first: those that a joint connects, or several joints
+  /// that turn about one point without solid pieces in between, as a universal joint does. What else is fixed
+  /// to them can collide, as a fence on the root that carries an arm with the first link of this arm.
+  std::vector<std::pair<std::string, std::string>> neighbours;
+  /// Links that are not checked against each other, as the description says by
   /// `<lamina_ignore link1="" link2=""/>`.
   std::vector<std::pair<std::string, std::string>> ignored;
 };
 
-/// Whether the description says that two links are not checked against each other, in either order.
-bool areIgnored(const LinkBodies& bodies, const std::string& a, const std::string& b);
+/// Whether two links, in either order, are neighbours or ignored, so that they are not checked against each
+/// other.
+bool areUnchecked(const LinkBodies& bodies, const std::string& a, const std::string& b);
 
-/// Whether that is said of any links of two groups.
-bool areIgnored(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b);
+/// Whether that holds for any links of two groups.
+bool areUnchecked(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b);
 
 /// Links with solid pieces that move against each other and are never checked: first neighbours, then those
 /// that the description ignores.

@@ -264,38 +264,65 @@ std::string innerText(const std::string& urdf) {
   return printer.Str();
 }
 
-/// A positioner's description, its links, materials and fixed joints with a prefix, its driven joints as
-/// external axes.
-std::string positionerText(const std::string& urdf, const std::string& path, int first_external) {
-  TiXmlDocument document;
-  document.Parse(urdf.c_str());
-  const auto rename = [](TiXmlElement* element, const char* attribute) {
-    if (element != nullptr)
-      element->SetAttribute(attribute, "positioner_" + attributeOf(*element, attribute));
-  };
-  TiXmlElement* robot = document.RootElement();
-  int external = first_external;
-  for (TiXmlElement* material = robot->FirstChildElement("material"); material;
+/// With the prefix that keeps names of a positioner apart from those of the arm.
+void renameOfPositioner(TiXmlElement* element, const char* attribute) {
+  if (element != nullptr) element->SetAttribute(attribute, "positioner_" + attributeOf(*element, attribute));
+}
+
+void renameLinksAndMaterials(TiXmlElement& robot) {
+  for (TiXmlElement* material = robot.FirstChildElement("material"); material;
        material = material->NextSiblingElement("material"))
-    rename(material, "name");
-  for (TiXmlElement* link = robot->FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
-    rename(link, "name");
+    renameOfPositioner(material, "name");
+  for (TiXmlElement* link = robot.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    renameOfPositioner(link, "name");
     for (TiXmlElement* visual = link->FirstChildElement("visual"); visual;
          visual = visual->NextSiblingElement("visual"))
-      rename(visual->FirstChildElement("material"), "name");
+      renameOfPositioner(visual->FirstChildElement("material"), "name");
   }
+}
+
+/// The joints of a positioner that a motor drives, from its root outward: their elements stand in any order.
+std::vector<std::string> drivenOutward(const urdf::ModelInterface& positioner) {
+  std::vector<std::pair<int, std::string>> by_depth;
+  for (const auto& [name, joint] : positioner.joints_) {
+    if (joint->type == urdf::Joint::FIXED || joint->mimic) continue;
+    int depth = 0;
+    for (auto link = positioner.getLink(joint->parent_link_name); link->parent_joint;
+         link = link->getParent())
+      ++depth;
+    by_depth.emplace_back(depth, name);
+  }
+  std::sort(by_depth.begin(), by_depth.end());
+  std::vector<std::string> names;
+  names.reserve(by_depth.size());
+  for (auto& [depth, name] : by_depth) names.push_back(std::move(name));
+  return names;
+}
+
+/// A positioner's description, its links, materials and joints with a prefix, its driven joints as external
+/// axes.
+std::string positionerText(const std::string& urdf, const std::string& path, int first_external) {
+  const std::vector<std::string> driven = drivenOutward(*parseMachine(urdf));
+  if (driven.empty() || driven.size() > 2)
+    throw InvalidConfig("positioner " + path + " has " + std::to_string(driven.size()) +
+                        " driven joints; expected one or two");
+  const auto renameJoint = [&](TiXmlElement* element, const char* attribute) {
+    const auto at = std::find(driven.begin(), driven.end(), attributeOf(*element, attribute));
+    if (at == driven.end()) return renameOfPositioner(element, attribute);
+    element->SetAttribute(attribute,
+                          "external_" + std::to_string(first_external + std::distance(driven.begin(), at)));
+  };
+  TiXmlDocument document;
+  document.Parse(urdf.c_str());
+  TiXmlElement* robot = document.RootElement();
+  renameLinksAndMaterials(*robot);
   for (TiXmlElement* joint = robot->FirstChildElement("joint"); joint;
        joint = joint->NextSiblingElement("joint")) {
-    rename(joint->FirstChildElement("parent"), "link");
-    rename(joint->FirstChildElement("child"), "link");
-    rename(joint, "name");
-    if (attributeOf(*joint, "type") == "fixed" || joint->FirstChildElement("mimic") != nullptr) continue;
-    joint->SetAttribute("name", "external_" + std::to_string(external++));
+    renameOfPositioner(joint->FirstChildElement("parent"), "link");
+    renameOfPositioner(joint->FirstChildElement("child"), "link");
+    renameJoint(joint, "name");
+    if (TiXmlElement* mimic = joint->FirstChildElement("mimic")) renameJoint(mimic, "joint");
   }
-  const int axes = external - first_external;
-  if (axes < 1 || axes > 2)
-    throw InvalidConfig("positioner " + path + " has " + std::to_string(axes) +
-                        " driven joints; expected one or two");
   TiXmlPrinter printer;
   document.Accept(&printer);
   return printer.Str();

@@ -5,7 +5,11 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "kinematics/model/body_shape.hpp"
 #include "kinematics/model/link_motion.hpp"
@@ -19,9 +23,19 @@ constexpr double kOnePlace = 1e-3;  // mm: digits of a URDF
 /// The joint by which a group hangs.
 struct GroupJoint {
   std::size_t parent = 0;
+  std::string parent_link;  ///< of that group
   bool is_rotary = false;
   bool goes_on = false;  ///< turns where the joint of its parent does, as those of a universal joint
 };
+
+using LinkNames = std::pair<std::string, std::string>;
+
+/// Each link with solid pieces of a group once.
+std::set<std::string> solidLinks(const RigidGroup& group) {
+  std::set<std::string> links;
+  for (const LinkBody& body : group.bodies) links.insert(body.link);
+  return links;
+}
 
 /// Gathers the groups of a tree of links.
 class GroupCollector {
@@ -61,6 +75,7 @@ class GroupCollector {
                              const Eigen::Isometry3d& parent_from_joint) {
     GroupJoint hung;
     hung.parent = parent;
+    hung.parent_link = joint.parent_link_name;
     hung.is_rotary = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
     hung.goes_on =
         hung.is_rotary && joints_[parent].is_rotary && parent_from_joint.translation().norm() < kOnePlace;
@@ -69,19 +84,30 @@ class GroupCollector {
     return found_.groups.size() - 1;
   }
 
-  bool hangsOn(std::size_t group, std::size_t on) const {
-    while (joints_[group].parent != on) {
-      if (!joints_[group].goes_on || !found_.groups[joints_[group].parent].bodies.empty()) return false;
-      group = joints_[group].parent;
+  /// The links that the joints between two groups connect; nothing if these do not turn about one point, or
+  /// have something solid in between.
+  std::optional<LinkNames> jointedLinks(std::size_t group, std::size_t on) const {
+    std::size_t hung = group;
+    while (joints_[hung].parent != on) {
+      if (!joints_[hung].goes_on || !found_.groups[joints_[hung].parent].bodies.empty()) return std::nullopt;
+      hung = joints_[hung].parent;
     }
-    return true;
+    return LinkNames{joints_[hung].parent_link, found_.groups[group].links.front()};
   }
 
+  /// What else is fixed to links that a joint connects is not built to touch: fences and arms have one root.
   void addPairs() {
     for (std::size_t b = 1; b < found_.groups.size(); ++b)
       for (std::size_t a = 0; a < b; ++a) {
-        const bool is_solid = !found_.groups[a].bodies.empty() && !found_.groups[b].bodies.empty();
-        if (is_solid && !hangsOn(b, a)) found_.pairs.emplace_back(a, b);
+        const std::set<std::string> ones = solidLinks(found_.groups[a]);
+        const std::set<std::string> others = solidLinks(found_.groups[b]);
+        std::size_t checked = ones.size() * others.size();
+        const auto jointed = jointedLinks(b, a);
+        if (jointed && ones.count(jointed->first) > 0 && others.count(jointed->second) > 0) {
+          found_.neighbours.push_back(*jointed);
+          --checked;
+        }
+        if (checked > 0) found_.pairs.emplace_back(a, b);
       }
   }
 
@@ -89,11 +115,10 @@ class GroupCollector {
   std::vector<GroupJoint> joints_;  ///< of the groups; that of the first has no meaning
 };
 
-std::vector<std::pair<std::string, std::string>> ignoredLinks(const std::string& urdf,
-                                                              const urdf::ModelInterface& model) {
+std::vector<LinkNames> ignoredLinks(const std::string& urdf, const urdf::ModelInterface& model) {
   TiXmlDocument document;
   document.Parse(urdf.c_str());
-  std::vector<std::pair<std::string, std::string>> ignored;
+  std::vector<LinkNames> ignored;
   for (const TiXmlElement* each = document.RootElement()->FirstChildElement("lamina_ignore"); each != nullptr;
        each = each->NextSiblingElement("lamina_ignore")) {
     const auto link = [&](const char* attribute) -> std::string {
@@ -108,37 +133,27 @@ std::vector<std::pair<std::string, std::string>> ignoredLinks(const std::string&
   return ignored;
 }
 
-/// Each link with solid pieces of a group once.
-std::set<std::string> solidLinks(const RigidGroup& group) {
-  std::set<std::string> links;
-  for (const LinkBody& body : group.bodies) links.insert(body.link);
-  return links;
-}
-
-}  // namespace
-
-bool areIgnored(const LinkBodies& bodies, const std::string& a, const std::string& b) {
-  return std::any_of(bodies.ignored.begin(), bodies.ignored.end(), [&](const auto& pair) {
+bool areNamed(const std::vector<LinkNames>& pairs, const std::string& a, const std::string& b) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](const LinkNames& pair) {
     return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
   });
 }
 
-bool areIgnored(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b) {
+}  // namespace
+
+bool areUnchecked(const LinkBodies& bodies, const std::string& a, const std::string& b) {
+  return areNamed(bodies.neighbours, a, b) || areNamed(bodies.ignored, a, b);
+}
+
+bool areUnchecked(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b) {
   return std::any_of(a.bodies.begin(), a.bodies.end(), [&](const LinkBody& one) {
     return std::any_of(b.bodies.begin(), b.bodies.end(),
-                       [&](const LinkBody& other) { return areIgnored(bodies, one.link, other.link); });
+                       [&](const LinkBody& other) { return areUnchecked(bodies, one.link, other.link); });
   });
 }
 
-std::vector<std::pair<std::string, std::string>> uncheckedLinks(const LinkBodies& bodies) {
-  std::vector<std::pair<std::string, std::string>> unchecked;
-  for (std::size_t b = 1; b < bodies.groups.size(); ++b)
-    for (std::size_t a = 0; a < b; ++a) {
-      if (std::find(bodies.pairs.begin(), bodies.pairs.end(), std::pair{a, b}) != bodies.pairs.end())
-        continue;
-      for (const std::string& one : solidLinks(bodies.groups[a]))
-        for (const std::string& other : solidLinks(bodies.groups[b])) unchecked.emplace_back(one, other);
-    }
+std::vector<LinkNames> uncheckedLinks(const LinkBodies& bodies) {
+  std::vector<LinkNames> unchecked = bodies.neighbours;
   unchecked.insert(unchecked.end(), bodies.ignored.begin(), bodies.ignored.end());
   return unchecked;
 }

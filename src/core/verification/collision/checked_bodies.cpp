@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kinematics/model/link_motion.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "verification/collision/solid.hpp"
@@ -76,13 +77,13 @@ std::vector<PosesOfLinks> sampledPoses(const KinematicModel& model) {
   return poses;
 }
 
-/// Those of links that can collide and are not ignored, by the names of the links.
+/// Those of links that are checked against each other, by the names of the links.
 std::map<std::pair<std::string, std::string>, SolidPieces> collidingPieces(const LinkBodies& bodies) {
   std::map<std::pair<std::string, std::string>, SolidPieces> found;
   for (const auto& [a, b] : bodies.pairs)
     for (const LinkBody& one : bodies.groups[a].bodies)
       for (const LinkBody& other : bodies.groups[b].bodies)
-        if (!areIgnored(bodies, one.link, other.link)) found[{one.link, other.link}] = {};
+        if (!areUnchecked(bodies, one.link, other.link)) found[{one.link, other.link}] = {};
   for (auto& [links, pieces] : found)
     for (const RigidGroup& group : bodies.groups)
       for (const LinkBody& body : group.bodies) {
@@ -92,6 +93,22 @@ std::map<std::pair<std::string, std::string>, SolidPieces> collidingPieces(const
   return found;
 }
 
+/// Whether a link is on the way from the root to another.
+bool carries(const urdf::ModelInterface& machine, const std::string& link, const std::string& other) {
+  for (auto at = machine.getLink(other); at; at = at->getParent())
+    if (at->name == link) return true;
+  return false;
+}
+
+/// Whether a link is fixed to the root beside what moves, as beds and fences are: it is no piece of a robot
+/// that meets it wherever this goes, but stands in its way.
+bool standsBeside(const LinkBodies& bodies, const urdf::ModelInterface& machine,
+                  const std::pair<std::string, std::string>& links) {
+  const std::vector<std::string>& fixed = bodies.groups.front().links;
+  return std::find(fixed.begin(), fixed.end(), links.first) != fixed.end() &&
+         !carries(machine, links.first, links.second);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> builtInLinks(const KinematicModel& model,
@@ -99,9 +116,10 @@ std::vector<std::pair<std::string, std::string>> builtInLinks(const KinematicMod
   std::vector<std::pair<std::string, std::string>> built;
   const std::optional<PosesOfLinks> at_zero = posesAt(model, valuesNearestToZero(model));
   if (!at_zero) return built;
+  const auto machine = parseMachine(model.urdf());
   std::vector<PosesOfLinks> poses;
   for (const auto& [links, pieces] : collidingPieces(bodies)) {
-    if (!meetAt(pieces, *at_zero)) continue;
+    if (standsBeside(bodies, *machine, links) || !meetAt(pieces, *at_zero)) continue;
     if (poses.empty()) poses = sampledPoses(model);
     const auto meeting = std::count_if(poses.begin(), poses.end(),
                                        [&pieces = pieces](const auto& each) { return meetAt(pieces, each); });

@@ -193,7 +193,8 @@ class JointClearanceCheck {
       for (std::size_t k = 0; k < bodies[b].size(); ++k) {
         const PlacedBody& one = bodies[a][i];
         const PlacedBody& other = bodies[b][k];
-        if (areIgnored(bodies_, bodies_.groups[a].bodies[i].link, bodies_.groups[b].bodies[k].link)) continue;
+        if (areUnchecked(bodies_, bodies_.groups[a].bodies[i].link, bodies_.groups[b].bodies[k].link))
+          continue;
         if (!one.extents.meets(other.extents) || !solids_[a][i].meets(solids_[b][k], other.pose, one.pose))
           continue;
         // What carries the part is what is run into.

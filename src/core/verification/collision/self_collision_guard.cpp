@@ -241,7 +241,7 @@ SelfCollisionGuard::SelfCollisionGuard(const KinematicModel& model, const LinkBo
   const std::vector<DrivenJoint>& joints = model.joints();
   for (const auto& [near, far] : bodies.pairs) {
     // Links of one group are one solid here: the check of the whole run tells them apart.
-    if (areIgnored(bodies, bodies.groups[near], bodies.groups[far])) continue;
+    if (areUnchecked(bodies, bodies.groups[near], bodies.groups[far])) continue;
     const auto pair = jointedPair(bodies, near, far, joints);
     if (!pair) continue;
     const auto nameOf = [&](std::size_t i) { return joints[static_cast<std::size_t>(pair->joints[i])].name; };
