@@ -360,6 +360,27 @@ TEST(JointPathPlanner, RefusesSettingsOutOfBounds) {
   EXPECT_THROW(plan(Toolpath(), GantryHead(ToolAxisSpin::Free), settings), InvalidConfig);
 }
 
+TEST(JointPathPlanner, RefusesMotionsOfExternalAxesThatAreNotThere) {
+  const GantryHead machine(ToolAxisSpin::Free);
+  const auto refusal = [&](const JointPathSettings& settings) -> std::string {
+    try {
+      plan(toolpathOf({circle(0.0, 45.0)}), machine, settings);
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  JointPathSettings settings;
+  EXPECT_EQ(refusal(settings), "");
+  settings.external = ExternalChoice::Gravity;
+  EXPECT_EQ(refusal(settings),
+            "joints.external is not held, but '" + machine.name() + "' has no external axes; expected held");
+  settings.external = ExternalChoice::Held;
+  settings.rail = RailChoice::Follow;
+  EXPECT_EQ(refusal(settings),
+            "joints.rail is not held, but '" + machine.name() + "' has no external axes; expected held");
+}
+
 /// Bans values of the last joint.
 class BannedSpin : public JointGuard {
  public:
