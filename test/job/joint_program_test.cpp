@@ -131,6 +131,20 @@ TEST_F(JointProgramTest, WhatALanguageCannotStateIsRefusedBeforeThePartIsRead) {
   EXPECT_NE(refusal("irb_4600", "box.script").find("URScript has no statement"), std::string::npos);
 }
 
+/// An arm that stands the other way round has the part where joint_1 has its limits, at half a turn to either
+/// side, and turns it by a degree only: the way there costs little and winds up.
+TEST_F(JointProgramTest, APartAcrossTheLimitsOfAFoldedArmIsLedTheOtherWayRound) {
+  writeStl(job_.part, test::boxBetween({0, 0, 0}, {6, 6, 6}));
+  job_.settings.slicing.layer_height_mm = 1.0;
+  job_.settings.planning.bead.width_mm = 2.0;
+  job_.settings.planning.skirt = {};
+  for (const auto yaw : {YawChoice::Free, YawChoice::Held}) {
+    job_.settings.joints.yaw = yaw;
+    EXPECT_NO_THROW(slice("irb_4600", "cube.mod"));
+    EXPECT_TRUE(std::filesystem::exists(job_.output));
+  }
+}
+
 TEST_F(JointProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
   slice("five_axis_head_table", "level.gcode");
   EXPECT_EQ(readFile(job_.output).find(";FIVE_AXIS:"), std::string::npos);

@@ -311,6 +311,12 @@ TEST_F(StatedCheck, AProgramForAnotherToolOrWithoutAStartIsRefused) {
             std::string::npos);
   EXPECT_NE(refusal(";# bed", ";# carried_bed 0 0 0 1 0 0 0").find("a bed that an external axis carries"),
             std::string::npos);
+  EXPECT_NE(
+      refusal(";# tool", "").find("has no note of its tool; expected one, of (-45.000, 0.000, 387.000) mm"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal(";# bed", "").find("has no note of its bed; expected one, of (1350.000, 0.000, 650.000) mm"),
+      std::string::npos);
   EXPECT_NE(refusal("PTP", "").find("no move of the joints comes to the part"), std::string::npos);
 }
 

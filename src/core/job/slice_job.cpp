@@ -19,6 +19,7 @@
 #include "job/modes/automatic_planning.hpp"
 #include "job/modes/part_slicing.hpp"
 #include "job/run_changes.hpp"
+#include "job/settings_of_language.hpp"
 #include "job/slice_run.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -223,6 +224,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
   requireProgramFor(job, space);
+  requireSettingsOfLanguage(job);
   requireApart({job.output},
                {job.part, job.settings.machine.urdf, job.settings.conformal.base, job.settings.modifiers,
                 job.settings.slicing.heights_file, job.settings.volumetric.target_file});
@@ -255,6 +257,8 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
       [&] { notes = write(job, space, sliced, joint_program); });
   if (sliced.summary.slow_bead_share < 0.0) addNoteOnTipTime(sliced, job, space);
   sliced.summary.notes.insert(sliced.summary.notes.end(), notes.begin(), notes.end());
+  if (std::string note = noteOnOtherLanguages(job); !note.empty())
+    sliced.summary.notes.push_back(std::move(note));
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

@@ -157,6 +157,31 @@ TEST(JointPathPlanner, SaysFromWhereARunWouldNotWindUpAHead) {
       << path.faults[0].reason;
 }
 
+/// An arc of 20 deg about an azimuth.
+Path arcAbout(double azimuth_deg) {
+  std::vector<Point3> points;
+  std::vector<Eigen::Quaterniond> nozzles;
+  for (double at = azimuth_deg - 10.0; at <= azimuth_deg + 10.0; at += 5.0) {
+    points.emplace_back(20.0 * std::cos(at * kDegree), 20.0 * std::sin(at * kDegree), 0.0);
+    nozzles.push_back(inclined(at, 30.0));
+  }
+  return pathThrough(PathRole::OuterWall, points, nozzles);
+}
+
+// About 90 deg c goes through 0 in one branch and through 180 deg in the other, about 270 deg the other way
+// round; both cost the same.
+TEST(JointPathPlanner, KeepsToTheBranchThatWindsNothingUp) {
+  const GantryHead machine(ToolAxisSpin::Free, 180.0);
+  for (const double azimuth_deg : {90.0, 270.0}) {
+    const Toolpath toolpath = toolpathOf({arcAbout(azimuth_deg)});
+    const JointPath path = plan(toolpath, machine);
+    ASSERT_TRUE(path.isRunnable()) << azimuth_deg << ": " << path.faults[0].reason;
+    EXPECT_NEAR(greatestStep(path, toolpath, 3), 5.0 * kDegree, 1e-9) << azimuth_deg;
+    EXPECT_NEAR(path.values[2][3], 0.0, 1e-9) << azimuth_deg;
+    EXPECT_LT(misses(path, toolpath, machine).tool_axis, 1e-9) << azimuth_deg;
+  }
+}
+
 TEST(JointPathPlanner, GoesStraightThroughTheSingularityOfAHead) {
   // The tool axis goes from 20 deg on one side through straight down to 20 deg on the other: a alone has to
   // turn.
@@ -333,6 +358,27 @@ TEST(JointPathPlanner, RefusesSettingsOutOfBounds) {
   JointPathSettings settings;
   settings.yaw_samples = 0;
   EXPECT_THROW(plan(Toolpath(), GantryHead(ToolAxisSpin::Free), settings), InvalidConfig);
+}
+
+TEST(JointPathPlanner, RefusesMotionsOfExternalAxesThatAreNotThere) {
+  const GantryHead machine(ToolAxisSpin::Free);
+  const auto refusal = [&](const JointPathSettings& settings) -> std::string {
+    try {
+      plan(toolpathOf({circle(0.0, 45.0)}), machine, settings);
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  JointPathSettings settings;
+  EXPECT_EQ(refusal(settings), "");
+  settings.external = ExternalChoice::Gravity;
+  EXPECT_EQ(refusal(settings),
+            "joints.external is not held, but '" + machine.name() + "' has no external axes; expected held");
+  settings.external = ExternalChoice::Held;
+  settings.rail = RailChoice::Follow;
+  EXPECT_EQ(refusal(settings),
+            "joints.rail is not held, but '" + machine.name() + "' has no external axes; expected held");
 }
 
 /// Bans values of the last joint.

@@ -37,9 +37,10 @@ EquippedToolpath readEquippedRobotProgramFile(const std::string& path);
 /// pose: the ones nearest to those at the pose before, beginning with those of the joint move that approaches
 /// the part. External axes have the values of the moves. A pose without such joint values is listed as a
 /// fault, `out_of_reach`; limits, collisions and singularities are not checked.
-/// @throws InvalidProgram as `readRobotProgram`; if tool or bed that the program states differ from those of
-///   the arm's description, a move does not state one of the arm's external axes, or no joint move approaches
-///   the part
+/// @throws InvalidProgram as `readRobotProgram`; if the program does not state tool and bed, or states others
+/// than
+///   those of the arm's description, a move does not state one of the arm's external axes, or no joint move
+///   approaches the part
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 StatedMotion readRobotMotion(const std::vector<RobotFile>& files, const std::string& part_name,
                              const KinematicModel& arm);

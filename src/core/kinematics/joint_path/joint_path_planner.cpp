@@ -60,7 +60,7 @@ StationFault woundUp(const WoundUp& at, const RungSolver& solver, const Kinemati
 }
 
 /// Whole turns for all stations; adds where they cannot be chosen.
-std::size_t unwindStations(StationWayThrough& way, const StationTask& task) {
+Unwound unwindStations(StationWayThrough& way, const StationTask& task) {
   std::vector<JointValues> values;
   values.reserve(way.stations.size());
   for (const StationJoints& here : way.stations) values.push_back(here.values);
@@ -70,7 +70,7 @@ std::size_t unwindStations(StationWayThrough& way, const StationTask& task) {
     way.stations[at.index].is_linked = false;
     way.faults.push_back(woundUp(at, task.solver, task.model));
   }
-  return unwound.rewinds;
+  return unwound;
 }
 
 /// An arm whose nozzle no joint turns about its tool axis cannot hold that turn.
@@ -100,6 +100,48 @@ JointPath jointPathOf(const StationList& list, StationWayThrough way, std::size_
   return path;
 }
 
+/// A path, and the joints that wind up on it.
+struct PlannedPath {
+  JointPath path;
+  std::vector<std::size_t> wound_up;
+};
+
+PlannedPath planWithin(std::vector<JointRange> ranges, const StationList& list, const JointPlanning& planning,
+                       Progress& progress) {
+  const JointPathSettings& settings = planning.settings;
+  const RungSolver solver(planning.guarded, settings, std::move(ranges));
+  const StationTask task{list.stations, planning.guarded.model, solver, settings};
+  StationWayThrough way = searchLadder(task, planning.rungs, progress);
+  if (settings.is_yaw_smoothed) smoothSamples(way.stations, task, progress);
+  steadySwings(way.stations, task);
+  const Unwound unwound = unwindStations(way, task);
+  std::vector<StationFault> slow = slowPassages(way.stations, task);
+  std::move(slow.begin(), slow.end(), std::back_inserter(way.faults));
+  PlannedPath planned;
+  planned.path = jointPathOf(list, std::move(way), unwound.rewinds);
+  planned.wound_up.reserve(unwound.wound_up.size());
+  for (const WoundUp& at : unwound.wound_up) planned.wound_up.push_back(at.joint);
+  return planned;
+}
+
+/// The ladder takes no account of whole turns, and thus may go where a joint winds up although another way
+/// leaves no limit. Such joints are then led as if they could not wind: the ladder sees their limits.
+/// @return the path with wound up joints, if there is none without any fault
+JointPath planUnwound(const StationList& list, const JointPlanning& planning, Progress& progress) {
+  std::vector<JointRange> ranges = jointRanges(planning.guarded.model.joints());
+  PlannedPath first = planWithin(ranges, list, planning, progress);
+  RungStore nothing(0);  // rungs hold penalties, which are others near limits that do not wind
+  const JointPlanning anew{planning.guarded, planning.settings, nothing};
+  std::vector<std::size_t> wound_up = first.wound_up;
+  while (!wound_up.empty()) {
+    for (const std::size_t joint : wound_up) ranges[joint].winds = false;
+    PlannedPath next = planWithin(ranges, list, anew, progress);
+    if (next.path.isRunnable()) return std::move(next.path);
+    wound_up = std::move(next.wound_up);
+  }
+  return std::move(first.path);
+}
+
 }  // namespace
 
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
@@ -123,15 +165,7 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
   if (list.stations.empty()) return {};
   setExternalAxes(list.stations, guarded.model, settings);
   resolveRedundancy(list.stations, guarded, settings, progress);
-  const RungSolver solver(guarded, settings);
-  const StationTask task{list.stations, guarded.model, solver, settings};
-  StationWayThrough way = searchLadder(task, planning.rungs, progress);
-  if (settings.is_yaw_smoothed) smoothSamples(way.stations, task, progress);
-  steadySwings(way.stations, task);
-  const std::size_t rewinds = unwindStations(way, task);
-  std::vector<StationFault> slow = slowPassages(way.stations, task);
-  std::move(slow.begin(), slow.end(), std::back_inserter(way.faults));
-  JointPath path = jointPathOf(list, std::move(way), rewinds);
+  JointPath path = planUnwound(list, planning, progress);
   path.tool_axis_tolerance =
       toRadians(std::max(settings.swing_tolerance_deg, settings.singular_tool_axis_tolerance_deg));
   return path;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
@@ -60,12 +61,16 @@ std::string marginText(double margin) { return angleText(std::asin(std::clamp(ma
 }  // namespace
 
 RungSolver::RungSolver(const GuardedModel& guarded, const JointPathSettings& settings)
+    : RungSolver(guarded, settings, jointRanges(guarded.model.joints())) {}
+
+RungSolver::RungSolver(const GuardedModel& guarded, const JointPathSettings& settings,
+                       std::vector<JointRange> ranges)
     : model_(&guarded.model),
       guard_(&guarded.guard),
       settings_(settings),
+      ranges_(std::move(ranges)),
       least_margin_(std::sin(settings.least_margin_deg * kDegree)),
       avoided_margin_(std::sin(settings.singular_margin_deg * kDegree)) {
-  ranges_ = jointRanges(model_->joints());
   for (const DrivenJoint& joint : model_->joints()) is_external_.push_back(isExternal(joint.name));
 }
 

@@ -21,6 +21,8 @@ namespace lamina {
 class RungSolver {
  public:
   RungSolver(const GuardedModel& guarded, const JointPathSettings& settings);
+  /// @param ranges  of the model's joints; one that could wind may be taken as one that does not
+  RungSolver(const GuardedModel& guarded, const JointPathSettings& settings, std::vector<JointRange> ranges);
 
   /// The rung of a station. Its nodes are within the limits, allowed by the guard, and no nearer to a
   /// singularity than the settings allow; rotary values are the equivalent ones nearest to the middle of the

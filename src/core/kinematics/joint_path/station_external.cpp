@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <string>
 
 #include "kinematics/joint_path/arm_rail.hpp"
 #include "kinematics/joint_path/gravity_table.hpp"
 #include "kinematics/joint_path/stations.hpp"
 #include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/geometry/shortest_rotation.hpp"
 #include "lamina/kinematics/arm/external_axis.hpp"
 
@@ -64,6 +66,14 @@ void moveRail(std::vector<Station>& stations, const KinematicModel& model, RailC
   for (std::size_t i = 0; i < stations.size(); ++i) stations[i].external.at(rail.in_station) = values[i];
 }
 
+/// Who asks for a motion of axes that are not there expects another path than the one without them.
+void requireNoExternal(const KinematicModel& model, const JointPathSettings& settings) {
+  const bool is_rail_moved = settings.rail != RailChoice::Held;
+  if (!is_rail_moved && settings.external == ExternalChoice::Held) return;
+  throw InvalidConfig(std::string(is_rail_moved ? "joints.rail" : "joints.external") + " is not held, but '" +
+                      model.name() + "' has no external axes; expected held");
+}
+
 }  // namespace
 
 void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
@@ -71,7 +81,8 @@ void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model
   const auto& joints = model.joints();
   const bool has_external = std::any_of(joints.begin(), joints.end(),
                                         [](const DrivenJoint& joint) { return isExternal(joint.name); });
-  if (!has_external || stations.empty()) return;
+  if (!has_external) return requireNoExternal(model, settings);
+  if (stations.empty()) return;
   const std::array<double, 3> held = heldAt(model, settings.external_deg * kDegree);
   for (Station& station : stations) station.external = held;
   if (settings.external == ExternalChoice::Follow) followToolAxes(stations, model, settings);

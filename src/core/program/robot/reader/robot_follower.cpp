@@ -10,9 +10,12 @@
 namespace lamina {
 namespace {
 
+/// Where the program states none, that of the cell would be as good a guess as any other.
 void requireSameFrame(const std::string& what, const std::optional<Eigen::Isometry3d>& stated,
                       const Eigen::Isometry3d& expected, const KinematicModel& arm) {
-  if (!stated) return;
+  if (!stated)
+    throw InvalidProgram("the program has no note of its " + what + "; expected one, of " +
+                         shownCellFrame(expected) + ", that of '" + arm.name() + "'");
   if (!isSameCellFrame(*stated, expected))
     throw InvalidProgram("the program's notes have the " + what + " at " + shownCellFrame(*stated) +
                          "; expected " + shownCellFrame(expected) + ", that of '" + arm.name() + "'");
@@ -31,10 +34,10 @@ void requireSameCell(const RobotHeadNotes& head, const KinematicModel& arm) {
 }  // namespace
 
 StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm) {
-  requireSameCell(running.head, arm);
   if (!running.start)
     throw InvalidProgram(
         "no move of the joints comes to the part; expected one behind a note of an approach");
+  requireSameCell(running.head, arm);
   JointValues last = armJoints(running.head.map, arm, *running.start);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;

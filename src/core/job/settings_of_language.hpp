@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/job/slice_job.hpp"
+
+namespace lamina {
+
+/// Refuses a robot's program that would run with its process, or without the controller's arc package,
+/// although the settings of another language ask for a dry run, or for that package, and those of its own do
+/// not.
+/// @throws InvalidConfig naming key, value and the key of the program's language
+void requireSettingsOfLanguage(const SliceJob& job);
+
+/// A note that names the settings, other than by default, that the language of a robot's program has no use
+/// for; empty if there are none, or the output is no program of a robot.
+std::string noteOnOtherLanguages(const SliceJob& job);
+
+}  // namespace lamina
