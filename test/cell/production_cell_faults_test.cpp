@@ -331,6 +331,16 @@ TEST(ProductionCell, HoldsTheJobOfAnAlarmThatItDiedOf) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
+TEST(ProductionCell, LeavesTheJobThatIsRunAloneWhenAnAlarmIsOfAnEarlierOne) {
+  Cell cell;
+  cell.journal().add(AlarmRow{cell.now.utc_s, 3104, 0.0, 'A', "of a print that ended long ago"});
+  bringToExecute(cell);
+  cell.kill();
+  cell.start();
+  EXPECT_EQ(cell.state(), UnitState::Execute);
+  EXPECT_TRUE(cell.hasAlarm(3104)) << "it waits to be acknowledged";
+}
+
 /// Acknowledges what is there and brings the unit to Idle.
 void recover(Cell& cell) {
   for (const ActiveAlarm& alarm : std::vector<ActiveAlarm>(cell.run().status().alarms.all())) {

@@ -3,6 +3,7 @@
 // Programs are judged by the joints that stand in them, also where somebody has edited the file.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -212,6 +213,18 @@ TEST_F(StatedCheck, AnArmThatWouldGoAnotherWayByPosesAloneGetsConfigurations) {
   job_.settings.planning.bead.width_mm = 0.8;
   slice("irb_4600", "tee.mod");
   EXPECT_TRUE(checked().isClear());
+}
+
+TEST_F(StatedCheck, PosesOfPlaneLayersAreSaidToBeUncheckedWhoeverChoseTheMode) {
+  job_.settings.machine.name = "five_axis_table_ac";
+  job_.output = folder_.file("poses.csv");
+  for (const char* mode : {"planar", "auto"}) {
+    job_.settings.slicing.mode = mode;
+    const std::vector<std::string> notes = runSliceJob(job_, nobody_).summary.notes;
+    EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("it was not checked whether the machine runs into") == 0;
+    })) << mode;
+  }
 }
 
 TEST_F(StatedCheck, AnotherToolThanThatOfTheDescriptionIsRefused) {

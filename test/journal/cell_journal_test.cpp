@@ -173,10 +173,11 @@ TEST(CellJournal, KnowsWhichAlarmsAreNotSettled) {
   journal.add(AlarmRow{2.0, 3202, 21.0, 'H', "second"});
   journal.add(AlarmRow{3.0, 1207, 0.0, 'T', ""});
   ASSERT_TRUE(journal.unsettled(3202));
-  EXPECT_EQ(journal.unsettled(3202)->message, "first");
+  EXPECT_EQ(journal.unsettled(3202)->message, "second");
+  EXPECT_EQ(journal.unsettled(3202)->execution, 0);
   journal.acknowledgeAlarm(3202, "anna", 4.0);
   ASSERT_TRUE(journal.unsettled(3202)) << "it is still there";
-  EXPECT_DOUBLE_EQ(journal.unsettled(3202)->time_s, 1.0);
+  EXPECT_DOUBLE_EQ(journal.unsettled(3202)->time_s, 2.0);
   journal.endAlarm(3202, 5.0);
   EXPECT_FALSE(journal.unsettled(3202));
   journal.endAlarm(1207, 5.0);

@@ -128,11 +128,14 @@ class UnitMachine {
   void end(int alarm, double now_s) { status_.alarms.end(alarm, now_s); }
 
   /// Raises an alarm of an earlier run of the unit, whose source is not known any more: its cause counts as
-  /// gone, and from category H on it waits to be acknowledged. Unless the unit is in Execute or Idle, it
-  /// becomes the stop reason if there is none.
+  /// gone, and from category H on it waits to be acknowledged. The unit does not react to it. Unless it is in
+  /// Execute or Idle, the alarm becomes the stop reason if there is none.
   /// @param raised_s  time at which it was raised; may be before that of the unit's first state
   /// @throws InvalidInput if the table has no alarm of that ID
   void restore(int alarm, double value, const std::string& message, double raised_s, double now_s);
+
+  /// Reacts to an alarm that is active, as if it had just been raised.
+  void reactTo(int alarm, double now_s);
 
   /// Acknowledges an alarm; the result is `BadValue` if no such alarm is active.
   /// @param by  name of the user

@@ -66,7 +66,9 @@ bool ActiveAlarms::acknowledge(int id, const std::string& by, double now_s) {
   if (alarm == alarms_.end()) return false;
   alarm->acknowledged_s = now_s;
   alarm->acknowledged_by = by;
-  findAlarm(last_reports_, id)->is_outdated = true;
+  LastReport& last = *findAlarm(last_reports_, id);
+  last.is_outdated = true;
+  last.back_s.reset();  // whoever acknowledges it has seen it come back
   removeSettled();
   return true;
 }

@@ -154,6 +154,8 @@ void ProductionCell::restoreAlarms(CellTime now) {
   for (const AlarmRow& row : rows) {
     const double age_s = std::max(0.0, now.utc_s - row.time_s);
     unit_.restore(row.alarm, row.value, row.message, now.steady_s - age_s, now.steady_s);
+    // Who died before its reaction leaves it to this process; what was of another job stops none.
+    if (is_running_ && row.execution == execution_) unit_.reactTo(row.alarm, now.steady_s);
   }
 }
 

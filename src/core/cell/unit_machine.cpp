@@ -176,11 +176,11 @@ void UnitMachine::restore(int alarm, double value, const std::string& message, d
   status_.alarms.raise(alarm, value, message, raised_s);
   const ActiveAlarm active = activeOf(status_.alarms, alarm);
   status_.alarms.end(alarm, now_s);
-  // A unit that died between the alarm and its reaction still has to react.
-  react(active, now_s);
   const bool is_stopped = status_.state != UnitState::Execute && status_.state != UnitState::Idle;
   if (is_stopped && !status_.stop_reason) status_.stop_reason = active;
 }
+
+void UnitMachine::reactTo(int alarm, double now_s) { react(activeOf(status_.alarms, alarm), now_s); }
 
 CommandAnswer UnitMachine::acknowledge(int alarm, const std::string& by, double now_s) {
   if (status_.alarms.acknowledge(alarm, by, now_s)) return {};

@@ -210,8 +210,10 @@ void requireWordsOfDialect(const JobSettings& settings) {
   const bool has_advance = dialect.has_extruder &&
                            (settings.flow.advance_word != AdvanceWord::Dialect || !dialect.advance.empty());
   if (hasAdvance(settings.flow) && !has_advance)
-    throw InvalidConfig("flow.advance_s is " + numberText(settings.flow.advance_s) + " s" + with +
-                        ", which has no word for it; expected 0" +
+    throw InvalidConfig((settings.flow.advance_s > 0.0
+                             ? "flow.advance_s is " + numberText(settings.flow.advance_s) + " s"
+                             : std::string("flow.advance_by_role states advances")) +
+                        with + ", which has no word for it; expected none" +
                         (dialect.has_extruder ? ", or the word of its firmware as flow.advance_word" : ""));
   const std::string labels = toString(settings.plate.labels);
   if (settings.plate.labels != ObjectLabels::None && labels != dialect.labels)

@@ -205,7 +205,18 @@ void requireClearFor(const SliceJob& job, const std::string& mode, const Checked
     requireRunnable(checked.run, model);
     requireClear(checked.check, model);
   } catch (const Unreachable& refusal) {
-    throw Unreachable(refusal.what() + remediesFor(job, mode));
+    const auto areOfMachine = [](const Finding& finding) {
+      return finding.meeting.find(" in link '") != std::string::npos;
+    };
+    const bool is_built_in =
+        !checked.check.collisions.empty() &&
+        std::all_of(checked.check.collisions.begin(), checked.check.collisions.end(), areOfMachine);
+    throw Unreachable(
+        refusal.what() + remediesFor(job, mode) +
+        (is_built_in
+             ? "; links that are built into each other are exempted by the description (lamina_ignore, "
+               "or ignore of a cell)"
+             : ""));
   }
 }
 
@@ -309,6 +320,7 @@ std::optional<JointProgram> planConfigured(std::unique_ptr<KinematicModel> arm, 
                                            const SliceJob& job, SlicedPart& sliced, Progress& progress) {
   SliceJob configured = job;
   configured.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  configured.settings.joints.yaw = YawChoice::Held;  // the targets are those that were asked for
   std::optional<JointProgram> program = planArm(std::move(arm), configured, sliced, progress);
   program->needs_configurations = true;
   sliced.summary.notes.push_back(
@@ -383,10 +395,10 @@ bool isRefusedUnlessClear(const SliceJob& job) {
   return false;
 }
 
-std::string noteOnUnchecked(const SliceJob& job) {
+std::string noteOnUnchecked(const SliceJob& job, const std::string& mode) {
   const JobSettings& settings = job.settings;
-  const bool are_plane_poses = settings.clearance.need == ClearanceNeed::Turning && !isProgram(job) &&
-                               hasPlaneLayers(settings.slicing.mode);
+  const bool are_plane_poses =
+      settings.clearance.need == ClearanceNeed::Turning && !isProgram(job) && hasPlaneLayers(mode);
   if (job.output.empty() || settings.clearance.need == ClearanceNeed::Never ||
       (isRefusedUnlessClear(job) && !are_plane_poses))
     return "";

@@ -35,7 +35,8 @@ bool isRefusedUnlessClear(const SliceJob& job);
 
 /// Says of a job whose nozzle turns that nobody checked whether the machine runs into something, and how to
 /// check it; empty if it is checked before it is written, nothing is written, or `clearance.need` is `never`.
-std::string noteOnUnchecked(const SliceJob& job);
+/// @param mode  in which it was sliced
+std::string noteOnUnchecked(const SliceJob& job, const std::string& mode);
 
 /// Notes of a part whose time is that of the nozzle's tip alone, though a machine runs it whose joints may
 /// need longer, which command tells that time. Nothing is noted of machines that move linear axes alone.

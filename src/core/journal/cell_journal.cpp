@@ -442,12 +442,13 @@ void CellJournal::endAlarm(int alarm, double time_s) {
 std::optional<AlarmRow> CellJournal::unsettled(int alarm) const {
   // Two questions, each with an index of its own: a journal of years has a million alarms.
   Statement row = store_->database.prepare(
-      "SELECT id, time, value, category, message FROM alarm WHERE alarm = ?1 AND acknowledged IS NULL UNION "
-      "SELECT id, time, value, category, message FROM alarm WHERE alarm = ?1 AND gone IS NULL "
-      "ORDER BY id LIMIT 1");
+      "SELECT id, time, value, category, message, ifnull(execution, 0) FROM alarm "
+      "WHERE alarm = ?1 AND acknowledged IS NULL UNION "
+      "SELECT id, time, value, category, message, ifnull(execution, 0) FROM alarm "
+      "WHERE alarm = ?1 AND gone IS NULL ORDER BY id DESC LIMIT 1");
   row.bind(std::int64_t{alarm});
   if (!row.step()) return std::nullopt;
-  return AlarmRow{row.number(1), alarm, row.number(2), row.text(3).at(0), row.text(4)};
+  return AlarmRow{row.number(1), alarm, row.number(2), row.text(3).at(0), row.text(4), row.integer(5)};
 }
 
 std::vector<TransitionRow> CellJournal::transitions(std::size_t most) const {

@@ -134,7 +134,10 @@ CorrectionMap LayerCorrector::led(const CorrectionMap& map) const {
 void LayerCorrector::use(const CorrectionMap& map, const CorrectionMap& ready) {
   corrector_.add(ready);
   last_amount_ = lastAmount(map, toolpath_.toolpath.layers[map.layer]);
-  for (const PathCorrection& path : map.paths) station_mm_ = std::min(station_mm_, path.spacing_mm);
+  // A path shorter than a cell has a station distance of its own.
+  double greatest_mm = 0.0;
+  for (const PathCorrection& path : map.paths) greatest_mm = std::max(greatest_mm, path.spacing_mm);
+  if (greatest_mm > 0.0) station_mm_ = greatest_mm;
 }
 
 /// A step would ask of the feeder what it cannot follow. For one with a delay, what it gets at the end of the

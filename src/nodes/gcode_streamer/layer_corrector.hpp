@@ -102,7 +102,7 @@ class LayerCorrector final : public ProgramRevision {
   std::vector<LayerDecision> decisions_;
   std::uint64_t next_line_ = 1;         ///< to be revised
   double last_amount_ = 0.0;            ///< by which the layers decided so far end
-  double station_mm_ = 1.0;             ///< least distance of stations in the last map
+  double station_mm_ = 1.0;             ///< greatest distance of stations in the last map
   std::optional<std::size_t> awaited_;  ///< layer
   bool is_planning_ = false;
 };

@@ -54,7 +54,7 @@ TEST(PressureAdvanceOfADialect, IsRefusedWhereNothingIsExtruded) {
     const std::string refusal =
         dialectRefusal({{"program.dialect", "grbl"}, {"flow.advance_s", "0.1"}, {"flow.advance_word", word}});
     EXPECT_EQ(refusal,
-              "flow.advance_s is 0.1 s with program.dialect 'grbl', which has no word for it; expected 0");
+              "flow.advance_s is 0.1 s with program.dialect 'grbl', which has no word for it; expected none");
   }
   EXPECT_EQ(dialectRefusal({{"program.dialect", "grbl"}}), "");
 }

@@ -65,6 +65,14 @@ TEST(Arrangement, LaysRowsInTheOrderGiven) {
   EXPECT_LT((places[2].at_mm - Point2(57.5, 132.5)).norm(), 1e-9);
 }
 
+TEST(Arrangement, PlacesAPartAloneWhoseBrimReachesBeyondTheBed) {
+  const Point2 size = kBed.size();
+  Footprint alone = rectangleOf(size.x() - 8.0, size.y() - 8.0);
+  alone.beside_mm = 6.0;
+  for (const PlateArrangement arrangement : {PlateArrangement::Rows, PlateArrangement::Pack})
+    EXPECT_LT((arranged({alone}, kBed, settingsFor(arrangement)).front().at_mm - kBed.centre()).norm(), 1e-9);
+}
+
 TEST(Arrangement, LeavesPartsThatHaveAPlace) {
   for (const PlateArrangement arrangement : {PlateArrangement::Rows, PlateArrangement::Pack}) {
     std::vector<Footprint> footprints(3, rectangleOf(60, 40));

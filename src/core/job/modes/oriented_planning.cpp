@@ -173,7 +173,7 @@ void addNoteOnUnchecked(SliceSummary& summary, const Toolpath& oriented, const P
   if (!canTurnToolAxis(request.space) ||
       greatestToolAxisTurn(oriented, request.bed_from_part, request.space) <= kTurned)
     return;
-  std::string note = noteOnUnchecked(request.job);
+  std::string note = noteOnUnchecked(request.job, summary.mode);
   if (!note.empty()) summary.notes.push_back(std::move(note));
 }
 

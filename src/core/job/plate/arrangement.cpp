@@ -314,6 +314,12 @@ Box2 turnedBox(const Footprint& footprint, const PlatePlace& place) {
 
 std::vector<PlatePlace> arranged(const std::vector<Footprint>& footprints, const Box2& bed,
                                  const PlateSettings& settings) {
+  // What is laid beside a part alone on the bed ends at the bed's edge.
+  if (footprints.size() == 1 && footprints.front().beside_mm > 0.0) {
+    Footprint bare = footprints.front();
+    bare.beside_mm = 0.0;
+    return arranged({bare}, bed, settings);
+  }
   std::vector<PlatePlace> places = settings.arrangement == PlateArrangement::Pack
                                        ? packed(footprints, bed, settings.spacing_mm)
                                        : inRows(footprints, bed, settings.spacing_mm);

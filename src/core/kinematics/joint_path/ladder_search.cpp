@@ -122,8 +122,7 @@ void LadderSearch::tryEdge(const Target& target, const Departure& from, Reached&
 }
 
 /// How many samples of a row a rung alike may be away. With `yaw_reach` alone, half a turn takes so many
-/// rungs that a joint which is free for fewer would turn at their ends, where the tool axis is led by it
-/// already.
+/// rungs that a joint which is free for fewer would turn at their ends, where it leads the tip already.
 int LadderSearch::reachOf(const Rung& rung) const {
   const int per_row = samplesPerRow(rung);
   const bool is_short_of_room = free_rungs_ * settings_.yaw_reach < per_row / 2;

@@ -25,8 +25,8 @@ using SteadyCrossing = std::function<bool(const double* from, const double* to)>
 /// squared turn of the yaw, over the duration of the motion, plus the penalty of the node at its end times
 /// the duration. Two nodes are joined
 /// - within a branch, if their samples are at most `yaw_reach` and one row apart and, except on a travel, no
-///   joint turns by more than `max_turn_deg`. A joint that is free for a few rungs only may turn to any
-///   sample there: it has no other place to turn in;
+///   joint turns by more than `max_turn_deg`. Where a joint becomes free it may turn to any sample,
+///   over as many rungs as `yaw_reach` needs for half a turn: it may be free for no longer;
 /// - between branches, if the crossing is steady and samples are not yaws;
 /// - on a clear travel always, at `branch_change_cost`; if nodes are so many that this would take long, only
 ///   from the cheapest node of each branch.
