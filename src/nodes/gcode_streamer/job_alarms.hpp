@@ -4,28 +4,26 @@
 
 #include <ros/node_handle.h>
 
-#include <map>
-#include <mutex>
+#include <cstdint>
+#include <set>
 #include <vector>
 
+#include "alarm_reports.hpp"
 #include "lamina/startup/job_watch.hpp"
-#include "messages.hpp"
 
 namespace lamina {
 
-/// The alarms 3201 to 3204 of the job under way, on `alarm_reports`. Whoever begins to listen gets those that
-/// are there.
+/// The alarms 3201 to 3204 of the job under way, for the unit. From one thread.
 class JobAlarms {
  public:
-  explicit JobAlarms(ros::NodeHandle node);
+  explicit JobAlarms(const ros::NodeHandle& node);
 
   /// What is lost just now, none of it before a job and after it.
   void tell(const std::vector<JobLoss>& losses);
 
  private:
-  std::mutex mutex_;
-  std::map<int, JobLoss> raised_;
-  ros::Publisher reports_;
+  std::set<std::uint16_t> raised_;
+  AlarmReports reports_;
 };
 
 }  // namespace lamina
