@@ -6,6 +6,7 @@ import { byId, clockTime, fillTexts, setText } from "/page/elements.js";
 import { drawDeviation, drawPreview, layerCount, showLayers, showPreview, wirePreview } from "/page/layers.js";
 import { showManual, wireManual } from "/page/manual.js";
 import { showQueue, showRequests, wireUpload } from "/page/queue.js";
+import { showRecords } from "/page/records.js";
 import {
   forgetLog, history, showAlarms, showStartup, showState, takeEvents, wireLog, wireStartup,
 } from "/page/status.js";
@@ -46,6 +47,7 @@ function onState(next) {
   if (!rights.see) return;
   showAlarms(state.alarms, rights.operate);
   showQueue(state.queue, rights);
+  showRecords(state, rights.operate, wasLost);
   showRequests(state.key_requests, rights.operate);
   showHeat(state.machine);
   showStartup(state.startup, rights.operate);

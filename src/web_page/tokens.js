@@ -1,7 +1,7 @@
-// Tokens and the mode: for maintenance.
+// Tokens, the mode and the PLC's access: for maintenance.
 import { get, post, remove } from "/page/api.js";
 import { ask } from "/page/dialogs.js";
-import { byId, clockTime, dayOf, element, setFacts, syncRows } from "/page/elements.js";
+import { byId, clockTime, dayOf, element, setFacts, setText, syncRows } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
 const tell = (text) => { byId("token-answer").textContent = text; };
@@ -27,7 +27,17 @@ export async function showTokens() {
     });
 }
 
+let isPlcTaken = false;
+
 export function wireMaintenance() {
+  byId("plc-switch").addEventListener("click", async () => {
+    try {
+      await post("/api/v1/remote", { allowed: !isPlcTaken });
+      byId("plc-answer").textContent = "";
+    } catch (error) {
+      byId("plc-answer").textContent = error.message;
+    }
+  });
   byId("token-form").addEventListener("submit", async (event) => {
     event.preventDefault();
     const name = byId("token-name").value;
@@ -52,5 +62,8 @@ export function wireMaintenance() {
 }
 
 export function showUnit(state) {
+  isPlcTaken = state.unit.takes_plc;
+  setText(byId("plc-access"), isPlcTaken ? texts.plc_allowed : texts.plc_locked);
+  setText(byId("plc-switch"), isPlcTaken ? texts.lock_plc : texts.allow_plc);
   setFacts(byId("counters"), [[texts.parts, String(state.parts)], [texts.defective, String(state.defective)]]);
 }

@@ -44,6 +44,9 @@ class FakeDesk final : public CellDesk {
   DeskAnswer changeMode(int mode, const std::string& source) override {
     return take("mode " + std::to_string(mode) + " by " + source);
   }
+  DeskAnswer setPlcAccess(PlcAccess access, const std::string& source) override {
+    return take((access == PlcAccess::Allowed ? "PLC allowed by " : "PLC locked by ") + source);
+  }
   DeskAnswer moveByHand(const DeskManual& order) override {
     std::ostringstream text;
     text << "by hand " << static_cast<int>(order.kind) << " lease " << order.who.lease << " by "

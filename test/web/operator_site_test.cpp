@@ -9,14 +9,11 @@
 #include <sstream>
 #include <thread>
 
-#include "lamina/base/sha256.hpp"
-#include "lamina/journal/part_record.hpp"
 #include "web/site_of_fakes.hpp"
 
 namespace lamina::test {
 namespace {
 
-using Headers = std::map<std::string, std::string>;
 constexpr std::array kEveryRole = {WebRole::Viewer, WebRole::Sender, WebRole::Operator, WebRole::Maintenance};
 
 /// A pattern with something in its places.
@@ -483,42 +480,21 @@ TEST(OperatorSite, ReportsThatAProgramIsBeingReadWithoutWaitingForIt) {
   EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/preview/1", {}).status, 404);
 }
 
-TEST(OperatorSite, ReadsTheRecordOfAPartToViewersAndNotToSenders) {
+TEST(OperatorSite, SwitchesTheAccessOfThePlcForMaintenanceAlone) {
   SiteOfFakes site(closedLoopback());
-  const std::string folder = site.folder.path();
-  std::string record;
-  std::string layers_csv;
-  {
-    CellJournal journal(folder + "/cell.db");
-    ArtefactStore store(folder + "/artefacts");
-    const std::int64_t job = journal.addJob(
-        {"part.gcode", "bracket", "cell", {store.keepText("G28\n", "program", "part.gcode")}, "anna"}, 1.0);
-    journal.release(job, "anna", 2.0);
-    const std::int64_t execution = journal.begin(job, "anna", 3.0);
-    LayerRow layer;
-    layer.layer = 0;
-    layer.mean_mm = 0.2;
-    ExecutionLog(journal).setLayer(execution, layer);
-    journal.end(execution, JobState::Ended, "", 4.0);
-    const PartRecord made = partRecord(journal, execution, {"good", 5.0, {}});
-    record = made.json;
-    layers_csv = made.layers_csv;
-    keepRecord(journal, store, execution, {"good", 5.0, {}});
-  }
-  const Headers viewer = {{"x-api-key", site.add(WebRole::Viewer, "wall")}};
-  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/record", viewer).body, record);
-  const WebResponse layers = site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer);
-  EXPECT_EQ(layers.body, layers_csv);
-  EXPECT_EQ(layers.type, "text/csv; charset=utf-8");
-  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/2/record", viewer).status, 404);
-  const Headers sender = {{"x-api-key", site.add(WebRole::Sender, "slicer")}};
-  for (const char* what : {"record", "layers"})
-    EXPECT_EQ(site.ask(HttpMethod::Get, std::string("/api/v1/jobs/1/") + what, sender).status, 403);
-  const std::string path =
-      ArtefactStore::toRead(folder + "/artefacts").pathOf({sha256Of(layers_csv), 0, "layers", "layers.csv"});
-  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-  std::ofstream(path) << "changed";
-  EXPECT_EQ(site.ask(HttpMethod::Get, "/api/v1/jobs/1/layers", viewer).status, 500);
+  const Headers keeper = {{"x-api-key", site.add(WebRole::Maintenance, "mia")}};
+  const Headers anna = {{"x-api-key", site.add(WebRole::Operator, "anna")}};
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/remote", anna, R"({"allowed": true})").status, 403);
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/remote", keeper, R"({"allowed": 1})").status, 400);
+  EXPECT_TRUE(site.desk.orders().empty());
+  EXPECT_LT(site.ask(HttpMethod::Post, "/api/v1/remote", keeper, R"({"allowed": true})").status, 300);
+  EXPECT_LT(site.ask(HttpMethod::Post, "/api/v1/remote", keeper, R"({"allowed": false})").status, 300);
+  EXPECT_EQ(site.desk.orders(),
+            (std::vector<std::string>{"PLC allowed by page: mia", "PLC locked by page: mia"}));
+  site.desk.seen.unit.plc_access = PlcAccess::Allowed;
+  EXPECT_EQ(
+      nlohmann::json::parse(site.ask(HttpMethod::Get, "/api/v1/state", keeper).body)["unit"]["takes_plc"],
+      true);
 }
 
 constexpr std::uint64_t kGibibyte = std::uint64_t{1} << 30;

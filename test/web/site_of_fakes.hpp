@@ -15,6 +15,8 @@
 
 namespace lamina::test {
 
+using Headers = std::map<std::string, std::string>;
+
 /// A site over a cell that is not there, asked without a socket.
 class SiteOfFakes {
  public:
@@ -31,7 +33,7 @@ class SiteOfFakes {
   }
 
   /// Asks, and lets a second go by.
-  WebResponse ask(HttpMethod method, const std::string& target, std::map<std::string, std::string> headers,
+  WebResponse ask(HttpMethod method, const std::string& target, Headers headers,
                   const std::string& body = "") {
     WebRequest request;
     request.head.method = method;
@@ -49,7 +51,7 @@ class SiteOfFakes {
     return site.answer(std::get<OperatorSite::Admitted>(admission), request, now);
   }
   nlohmann::json get(const std::string& target, const std::string& token = "") {
-    std::map<std::string, std::string> headers;
+    Headers headers;
     if (!token.empty()) headers["x-api-key"] = token;
     return nlohmann::json::parse(ask(HttpMethod::Get, target, headers).body);
   }

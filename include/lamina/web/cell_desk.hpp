@@ -31,6 +31,9 @@ struct ShownJob {
   std::string released_by;
 };
 
+/// Whether commands of the PLC are taken.
+enum class PlcAccess : std::uint8_t { Locked, Allowed };
+
 /// The unit according to its last report.
 struct ShownUnit {
   UnitState state = UnitState::Stopped;
@@ -45,6 +48,7 @@ struct ShownUnit {
   bool resume_waits = false;   ///< whether a job was cut off, and Start says what becomes of it
   std::string resume_refusal;  ///< why that job cannot be resumed; empty if it can
   bool is_part_on_plate = false;
+  PlcAccess plc_access = PlcAccess::Locked;
   std::uint32_t lines = 0;
   std::uint32_t lines_acknowledged = 0;
   std::int32_t layer = -1;
@@ -231,6 +235,7 @@ class CellDesk {
 
   virtual DeskAnswer command(const DeskCommand& command) = 0;
   virtual DeskAnswer changeMode(int mode, const std::string& source) = 0;
+  virtual DeskAnswer setPlcAccess(PlcAccess access, const std::string& source) = 0;
   virtual DeskAnswer moveByHand(const DeskManual& order) = 0;
   virtual DeskAnswer enqueue(const DeskProgram& program) = 0;
   /// Waits until the mesh is sliced.

@@ -181,6 +181,14 @@ void ExecutionLog::setPart(std::int64_t execution, const PartRow& part, double t
   transaction.commit();
 }
 
+std::vector<std::int64_t> ExecutionLog::withPart(std::size_t most) const {
+  Statement row = store_.database.prepare("SELECT execution FROM part ORDER BY execution DESC LIMIT ?");
+  row.bind(static_cast<std::int64_t>(most));
+  std::vector<std::int64_t> executions;
+  while (row.step()) executions.push_back(row.integer(0));
+  return executions;
+}
+
 std::optional<PartRow> ExecutionLog::part(std::int64_t execution) const {
   Statement row = store_.database.prepare(
       "SELECT p.serial, p.verdict, p.verdict_by, p.removed, p.removed_by, p.record, a.bytes, a.kind, a.name "

@@ -29,7 +29,8 @@ json unitJson(const ShownUnit& unit) {
                 {"accepted_now", commandNames(unit.accepted_now)},
                 {"resume_waits", unit.resume_waits},
                 {"resume_refusal", unit.resume_refusal},
-                {"is_part_on_plate", unit.is_part_on_plate}};
+                {"is_part_on_plate", unit.is_part_on_plate},
+                {"takes_plc", unit.plc_access == PlcAccess::Allowed}};
   if (unit.stop_reason != 0)
     value["stop_reason"] = {{"alarm", unit.stop_reason}, {"message", unit.stop_message}};
   return value;

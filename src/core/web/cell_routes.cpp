@@ -208,6 +208,16 @@ WebResponse setMode(SiteCall& call) {
                "mode " + std::to_string(number));
 }
 
+WebResponse setRemote(SiteCall& call) {
+  const json body = bodyObject(call);
+  const auto allowed = body.find("allowed");
+  if (allowed == body.end() || !allowed->is_boolean())
+    throw InvalidInput("allowed is missing or neither true nor false");
+  const PlcAccess access = allowed->get<bool>() ? PlcAccess::Allowed : PlcAccess::Locked;
+  return noted(orderAnswer(call, call.parts.desk.setPlcAccess(access, call.source())),
+               access == PlcAccess::Allowed ? "commands of the PLC allowed" : "commands of the PLC locked");
+}
+
 double finiteNumber(const json& body, const char* key) {
   const auto found = body.find(key);
   if (found == body.end() || !found->is_number())
@@ -325,6 +335,7 @@ std::vector<SiteRoute> cellRoutes() {
       {{kGet, "/api/v1/loop", WebRight::SeeAll, Body::None}, getLoop},
       {{kPost, "/api/v1/loop", WebRight::Maintain, Body::Small}, setLoop},
       {{kPost, "/api/v1/mode", WebRight::Maintain, Body::Small}, setMode},
+      {{kPost, "/api/v1/remote", WebRight::Maintain, Body::Small}, setRemote},
       {{kPost, "/api/v1/manual", WebRight::Maintain, Body::Small}, moveByHand},
       {{kGet, "/api/v1/layers", WebRight::SeeAll, Body::None}, getLayers},
       {{kGet, "/api/v1/deviation", WebRight::SeeAll, Body::None}, getDeviation},

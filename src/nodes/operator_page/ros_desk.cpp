@@ -44,6 +44,7 @@ ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
   unit.resume_waits = status.resume_waits;
   unit.resume_refusal = status.resume_refusal;
   unit.is_part_on_plate = status.is_part_on_plate;
+  unit.plc_access = status.remote_access != 0 ? PlcAccess::Allowed : PlcAccess::Locked;
   unit.lines = status.lines;
   unit.lines_acknowledged = status.lines_acknowledged;
   unit.layer = status.layer;
@@ -297,6 +298,13 @@ DeskAnswer RosDesk::changeMode(int mode, const std::string& source) {
   call.request.mode = static_cast<std::uint8_t>(mode);
   call.request.source = source;
   return callUnit({"a mode"}, names::kSetUnitMode, call);
+}
+
+DeskAnswer RosDesk::setPlcAccess(PlcAccess access, const std::string& source) {
+  lamina_msgs::SetRemoteAccess call;
+  call.request.is_allowed = static_cast<std::uint8_t>(access == PlcAccess::Allowed);
+  call.request.source = source;
+  return callForStatus({"the PLC's access"}, names::kSetRemoteAccess, call);
 }
 
 /// Of steps that several ask for at once only one waits: a step that comes late is none that is held.

@@ -32,6 +32,7 @@ class RosDesk final : public CellDesk {
 
   DeskAnswer command(const DeskCommand& command) override;
   DeskAnswer changeMode(int mode, const std::string& source) override;
+  DeskAnswer setPlcAccess(PlcAccess access, const std::string& source) override;
   DeskAnswer moveByHand(const DeskManual& order) override;
   DeskAnswer enqueue(const DeskProgram& program) override;
   DeskAnswer enqueueMesh(const DeskMesh& mesh) override;

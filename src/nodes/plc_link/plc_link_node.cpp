@@ -49,6 +49,8 @@ PlcLinkNode::PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settin
   view(names::kMachineState, &UnitView::machine);
   view(names::kLoopState, &UnitView::loop);
   view(names::kLayerHeight, &UnitView::layer);
+  view(names::kLoopFigures, &UnitView::figures);
+  subscribers_.push_back(node_.subscribe(names::kCorrection, 100, &PlcLinkNode::onCorrection, this));
   desk_ = std::make_unique<OrderDesk>(
       node_, [this](const PlcOrder& order, CommandResult result, const std::string& message) {
         onAnswered(order, result, message);
@@ -103,6 +105,14 @@ void PlcLinkNode::onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_.heaters = *heaters;
   view_.heaters_heard_s = clock_.now();
+}
+
+void PlcLinkNode::onCorrection(const lamina_msgs::CorrectionMapConstPtr& map) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto& means = view_.mean_corrections;
+  if (map->toolpath_id != corrected_) means.clear();
+  corrected_ = map->toolpath_id;
+  means[map->digest] = meanCorrection(*map);
 }
 
 void PlcLinkNode::onTick() {

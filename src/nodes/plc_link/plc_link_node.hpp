@@ -36,6 +36,7 @@ class PlcLinkNode {
   void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
   void onProcess(const lamina_msgs::ProcessStateConstPtr& process);
   void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
+  void onCorrection(const lamina_msgs::CorrectionMapConstPtr& map);
   void onTick();
   void followUnit();
 
@@ -63,6 +64,7 @@ class PlcLinkNode {
   std::mutex mutex_;  ///< of everything below, but the server and the desk
   PlcLink link_;
   UnitView view_;
+  std::string corrected_;  ///< toolpath that the maps of `view_` are of
   PlcHeartbeat heartbeat_ = PlcHeartbeat::Unarmed;
   ros::Time linked_;
   std::uint32_t sequence_ = 0;

@@ -133,14 +133,34 @@ ProcessFigures processOf(const UnitView& view, bool is_process_heard, double now
     figures.nozzle_c = known(view.heaters.nozzle);
     figures.bed_c = known(view.heaters.bed);
   }
-  if (is_process_heard) figures.flow_mm3_s = known(view.process.flow * kCubicMillimetres);
+  if (is_process_heard) {
+    figures.flow_mm3_s = known(view.process.flow * kCubicMillimetres);
+    figures.laser_w = known(view.process.laser_power);
+    figures.wire_mm_s = known(view.process.wire_speed * kMillimetres);
+  }
   figures.mean_error_mm = known(view.layer.mean_error * kMillimetres);
   figures.rmse_mm = known(view.layer.rms_error * kMillimetres);
   figures.coverage = known(view.layer.coverage);
+  const auto correction = view.mean_corrections.find(view.figures.map_digest);
+  const bool is_of_layer =
+      view.figures.toolpath_id == view.layer.toolpath_id && view.figures.layer == view.layer.layer;
+  if (is_of_layer && correction != view.mean_corrections.end())
+    figures.mean_correction = known(correction->second);
   return figures;
 }
 
 }  // namespace
+
+double meanCorrection(const lamina_msgs::CorrectionMap& map) {
+  double length = 0.0;
+  double amount = 0.0;
+  for (const lamina_msgs::CorrectionPath& path : map.paths)
+    for (const double at_station : path.amount) {
+      length += path.station;
+      amount += path.station * at_station;
+    }
+  return length > 0.0 ? amount / length : 0.0;
+}
 
 PlcStatus plcStatus(const UnitView& view, double now_s) {
   PlcStatus status;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "lamina/modbus/register_map.hpp"
 #include "messages.hpp"
 
@@ -17,10 +20,15 @@ struct UnitView {
   lamina_msgs::ProcessState process;
   lamina_msgs::LoopState loop;
   lamina_msgs::LayerHeight layer;
-  double unit_heard_s = 0.0;     ///< when the unit's status came
-  double process_heard_s = 0.0;  ///< and what the process does
+  lamina_msgs::LoopFigures figures;                ///< of the layer measured last, by the loop
+  std::map<std::string, double> mean_corrections;  ///< of maps by their digest
+  double unit_heard_s = 0.0;                       ///< when the unit's status came
+  double process_heard_s = 0.0;                    ///< and what the process does
   double heaters_heard_s = 0.0;  ///< and the temperatures, ten times a second as long as a job or a step runs
 };
+
+/// Mean of a map's relative amounts by the length of what they correct; 0 for an empty one.
+double meanCorrection(const lamina_msgs::CorrectionMap& map);
 
 /// The same for the registers. What nobody says is 0.
 /// @param now_s  by the clock of the times in @p view

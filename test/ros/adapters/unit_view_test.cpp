@@ -108,6 +108,45 @@ TEST(UnitView, NamesTheJobThatStartWouldBegin) {
   EXPECT_EQ(plcStatus(view, 50.0).job.next, 0U) << "what was cut off is decided on first, and not by the PLC";
 }
 
+TEST(UnitView, ShowsLaserAndWireWhileTheProcessIsHeard) {
+  UnitView view = printing();
+  view.process_heard_s = 50.0;
+  view.process.flow = 12e-9;
+  view.process.laser_power = 1850.0;
+  view.process.wire_speed = 0.025;
+  const ProcessFigures now = plcStatus(view, 50.9).process;
+  EXPECT_FLOAT_EQ(now.flow_mm3_s, 12.0F);
+  EXPECT_FLOAT_EQ(now.laser_w, 1850.0F);
+  EXPECT_FLOAT_EQ(now.wire_mm_s, 25.0F);
+  EXPECT_EQ(plcStatus(view, 51.1).process.laser_w, 0.0F) << "silent for more than a second";
+  view.process.laser_power = view.process.wire_speed = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(plcStatus(view, 50.9).process.laser_w, 0.0F) << "a process without one";
+  EXPECT_EQ(plcStatus(view, 50.9).process.wire_mm_s, 0.0F);
+}
+
+// 3 mm at +0.1 and 1 mm at -0.1: (0.3 - 0.1) / 4.
+TEST(UnitView, ShowsTheMeanCorrectionOfTheLayerThatWasMeasured) {
+  lamina_msgs::CorrectionMap map;
+  map.paths.resize(2);
+  map.paths[0].station = 1.5e-3;
+  map.paths[0].amount = {0.1, 0.1};
+  map.paths[1].station = 1e-3;
+  map.paths[1].amount = {-0.1};
+  EXPECT_NEAR(meanCorrection(map), 0.05, 1e-12);
+  EXPECT_EQ(meanCorrection({}), 0.0);
+  UnitView view = printing();
+  view.layer.toolpath_id = view.figures.toolpath_id = "a";
+  view.layer.layer = view.figures.layer = 3;
+  view.figures.map_digest = "0123456789abcdef";
+  view.mean_corrections["0123456789abcdef"] = 0.05;
+  EXPECT_FLOAT_EQ(plcStatus(view, 50.0).process.mean_correction, 0.05F);
+  view.figures.layer = 2;
+  EXPECT_EQ(plcStatus(view, 50.0).process.mean_correction, 0.0F) << "of the layer before";
+  view.figures.layer = 3;
+  view.figures.map_digest = "";
+  EXPECT_EQ(plcStatus(view, 50.0).process.mean_correction, 0.0F) << "as planned";
+}
+
 // The streamer says nothing of the heaters once its job has ended: they cool, or are heated by somebody else.
 TEST(UnitView, ShowsNoTemperaturesOfAJobThatHasEnded) {
   const UnitView view = printing();

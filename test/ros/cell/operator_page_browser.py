@@ -209,6 +209,24 @@ def operate(page, program):
         "return [...document.querySelectorAll('#alarm-list button:not([hidden])')].map((b) => b.ariaLabel)"), "the alarm acknowledged")
     page.do_next("Clear")
     page.state("Stopped")
+    print_again(page, name)
+    switch_plc(page)
+
+
+def print_again(page, name):
+    """The part of the aborted job is listed, and its program is queued once more."""
+    page.wait(lambda: "aborted" in page.text("#record-list"), "the part among those that were made")
+    page.do(f"Print again: {name}")
+    page.wait(lambda: f"Release: {name}" in page.script(
+        "return [...document.querySelectorAll('#job-list button:not([hidden])')].map((b) => b.ariaLabel)"), "the job once more")
+
+
+def switch_plc(page):
+    before = page.text("#plc-access")
+    page.do(page.text("#plc-switch"))
+    page.wait(lambda: page.text("#plc-access") != before, "the PLC's access changed")
+    page.do(page.text("#plc-switch"))
+    page.wait(lambda: page.text("#plc-access") == before, "the PLC's access as it was")
 
 
 def check_stale(page, process):

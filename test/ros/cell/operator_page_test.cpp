@@ -94,7 +94,7 @@ class CellWithPage {
 
   void startPage(const std::vector<std::string>& parameters) {
     std::vector<std::string> arguments = {
-        "__ns:=" + space_,      "_web/port:=0",         "_web/folder:=" + folder.path() + "/page",
+        "__ns:=" + space_,      "_web/port:=0",         "_web/folder:=" + folder.path() + "/cell",
         "_cell/patience_s:=20", "_web/connections:=64", "_web/connections_of_address:=16"};
     arguments.insert(arguments.end(), parameters.begin(), parameters.end());
     page = std::make_unique<test::NodeProcess>(LAMINA_PAGE_NODE, arguments);
@@ -245,7 +245,7 @@ TEST(OperatorPage, SlicesAMeshAndQueuesItsProgramWithTheMesh) {
   expectRefused(boxMesh(20.0), {{"material", "cheese"}}, "there is no material 'cheese'");
   expectRefused(boxMesh(20.0), {{"settings", "slicing.layer_hight_mm=0.5"}}, "slicing.layer_height_mm");
   EXPECT_EQ(cell.state()["queue"].size(), 1U);
-  const std::filesystem::directory_iterator uploads(cell.folder.path() + "/page/uploads");
+  const std::filesystem::directory_iterator uploads(cell.folder.path() + "/cell/uploads");
   EXPECT_TRUE(uploads == std::filesystem::directory_iterator()) << uploads->path();
 }
 
@@ -357,7 +357,7 @@ TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
       "tokens", 20.0,
       {"_auth/loopback:=token", "_api/octoprint_print:=release", "_web/hosts:=cell.example.org"});
   FILE* command = popen((std::string(LAMINA_TOKEN_COMMAND) + " token add --role operator --name anna " +
-                         cell.folder.path() + "/page 2>/dev/null")
+                         cell.folder.path() + "/cell 2>/dev/null")
                             .c_str(),
                         "r");
   std::array<char, 128> line{};
