@@ -250,6 +250,13 @@ class Cell(unittest.TestCase):
             with self.assertRaisesRegex(OSError, "exception 2"):
                 plc.read(999, 1)
 
+    def test_the_page_is_opened_where_there_is_a_screen(self):
+        print_cell = tool("print_cell")
+        for screen, opened in (({"DISPLAY": ":0"}, 1), ({"WAYLAND_DISPLAY": "wayland-0"}, 1), ({}, 0)):
+            with mock.patch.dict("os.environ", screen, clear=True), mock.patch.object(print_cell.webbrowser, "open") as browser:
+                print_cell.show("http://127.0.0.1:8080")
+                self.assertEqual(browser.call_count, opened, screen)
+
     def test_a_state_is_reported_once(self):
         timeline = tool("print_cell").Timeline()
         with contextlib.redirect_stdout(io.StringIO()) as said:
