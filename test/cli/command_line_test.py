@@ -505,7 +505,7 @@ class CommandLine(unittest.TestCase):
             seen += os.read(descriptor, 1000)
 
     def wait_for(self, is_true):
-        give_up = time.monotonic() + 20.0
+        give_up = time.monotonic() + 120.0
         while not is_true() and time.monotonic() < give_up:
             time.sleep(0.02)
         self.assertTrue(is_true())

@@ -69,7 +69,7 @@ class StreamResume(unittest.TestCase):
         with open(self.program, "w", encoding="utf-8") as program:
             for i, line in enumerate(self.lines):
                 program.write((f";LAYER:{i // 100}\n" if i % 100 == 0 else "") + line + "\n")
-        self.machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--tcp", "0", "--speed-up", "200", "--record", self.record],
+        self.machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--tcp", "0", "--speed-up", "10", "--record", self.record],
                                         stdout=subprocess.PIPE, text=True)
         self.addCleanup(self.machine.stdout.close)
         self.addCleanup(self.machine.wait)

@@ -273,8 +273,8 @@ TEST(WebServer, RefusesHeadsThatAreTooLargeOrNoHttp) {
 
 TEST(WebServer, EndsClientsThatAreSlow) {
   WebServerSettings settings = ServerOfFakes::quick();
-  settings.patience.header_s = settings.patience.body_s = 0.3;
-  settings.patience.idle_s = settings.patience.progress_s = 0.3;
+  settings.patience.header_s = settings.patience.body_s = 2.0;
+  settings.patience.idle_s = settings.patience.progress_s = 2.0;
   const ServerOfFakes fakes({}, settings);
   const RawClient head(fakes.server.port());
   head.send("GET / HTTP/1.1\r\nHost:");

@@ -225,8 +225,11 @@ TEST(OperatorPage, SlicesAMeshAndQueuesItsProgramWithTheMesh) {
   const auto [status, sent] = cell.upload(boxMesh(20.0), "box.stl",
                                           {{"material", "pla"}, {"settings", "slicing.layer_height_mm=0.5"}});
   ASSERT_EQ(status, 201) << sent;
-  const json queue = cell.state()["queue"];
-  ASSERT_EQ(queue.size(), 1U);
+  json queue;
+  ASSERT_TRUE(waitUntil([&] {
+    queue = cell.state().value("queue", json::array());
+    return queue.size() == 1;
+  }));
   EXPECT_EQ(queue[0]["name"], "box.gcode");
   EXPECT_EQ(queue[0]["state"], "NotAllowedToStart");
   const std::string kept = keptBytes(cell.folder.path() + "/cell/artefacts");
@@ -286,7 +289,8 @@ TEST(OperatorPage, PrintsWhatWasUploadedAndShowsHowFarItIs) {
   ASSERT_TRUE(cell.reaches("Stopped"));
   EXPECT_EQ(cell.ask("POST", "/api/v1/mode", R"({"mode":2})").first, 200);
   EXPECT_TRUE(waitUntil([&] { return cell.state()["unit"]["mode"] == "Maintenance"; }));
-  EXPECT_EQ(cell.ask("POST", "/api/v1/removal").first, cell.state()["unit"]["is_part_on_plate"] ? 200 : 409);
+  const bool is_part_on_plate = cell.state()["unit"]["is_part_on_plate"];
+  EXPECT_EQ(cell.ask("POST", "/api/v1/removal").first, is_part_on_plate ? 200 : 409);
 }
 
 TEST(OperatorPage, GoesOnWhereItWasWhenItIsKilledAndReportsWhenTheCellIsSilent) {

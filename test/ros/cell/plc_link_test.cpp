@@ -250,7 +250,7 @@ TEST(PlcLink, NeedsTheInterlocksOfAPlcThatIsRequired) {
 }
 
 TEST(PlcLink, HoldsTheUnitWhenItsPlcFallsSilent) {
-  LinkedCell linked("silent", 20.0, {"_modbus/watchdog_s:=0.5", "_modbus/abandon_s:=600"});
+  LinkedCell linked("silent", 20.0, {"_modbus/watchdog_s:=3", "_modbus/abandon_s:=600"});
   EXPECT_EQ(linked.setRemoteAccess(true), "");
   LibmodbusClient plc(linked.port);
   linked.cell.bringToIdle();

@@ -133,8 +133,10 @@ TEST_P(ChangedDrive, IsMovedByHandBetweenJobsAndRestsWhenTheHandLetsGo) {
     hand.move("nozzle", -0.02);
     return (tipNow() - start.translation()).norm() > 15.0;
   })) << hand.state.reason;
-  EXPECT_EQ(hand.state.holder, ros::this_node::getName());
-  EXPECT_EQ(hand.state.frame, "nozzle");
+  EXPECT_TRUE(waitUntil([&] {
+    hand.move("nozzle", -0.001);
+    return hand.state.holder == ros::this_node::getName() && hand.state.frame == "nozzle";
+  })) << hand.state.holder;
   ASSERT_TRUE(hand.letsGo());
   const ros::Time let_go = cell.reports.back().process.header.stamp + ros::Duration(0.5);
   ASSERT_TRUE(waitUntil([&] { return cell.reports.back().process.header.stamp > let_go; }));

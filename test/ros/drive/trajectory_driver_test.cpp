@@ -44,8 +44,7 @@ void expectDriven(DriveCell& cell) {
   EXPECT_TRUE(waitUntil([&] { return cell.tracking.worst_tip_error == result.worst_tip_error; }));
   EXPECT_LE(cell.tracking.tip_error, cell.tracking.worst_tip_error);
   EXPECT_GE(cell.tracking.least_queued, 0.0);
-  EXPECT_GT(cell.processes, 3U);
-  EXPECT_GT(cell.grown, 0U);
+  EXPECT_TRUE(waitUntil([&] { return cell.processes > 3U && cell.grown > 0U; }));
 }
 
 /// The tool is well above the bead, and was never lifted faster than asked; at times as fast.

@@ -19,7 +19,7 @@ from two_hosts import HOST, MASTER_PORT, OTHER, TwoHosts, enter_namespace, ip
 
 NODE = sys.argv[1]
 LAUNCH = str(pathlib.Path(__file__).resolve().parents[3] / "launch/cell_desk.launch")
-NEEDED_SILENCE = 1.0  # s
+NEEDED_SILENCE = 3.0  # s
 DROP_A_THIRD = ("add table inet lossy; add chain inet lossy out { type filter hook output priority 0; }; "
                 "add rule inet lossy out udp dport 11412 numgen random mod 10 < 3 drop")
 
@@ -53,7 +53,7 @@ class HostWatch(TwoHosts):
 
     def both(self, *parameters, shift_s=0.0):
         self.watch("sensing", OTHER, "motion", HOST, f"_clock/shift_s:={shift_s}")
-        return self.watch("motion", HOST, "sensing", OTHER, "_hosts/needed:=sensing", "_master/silence_s:=2",
+        return self.watch("motion", HOST, "sensing", OTHER, "_hosts/needed:=sensing", "_master/silence_s:=5",
                           f"_disk/folder:={self.folder}", *parameters)
 
     def raised(self):

@@ -17,7 +17,7 @@ import xmlrpc.client
 NOT_RUN = 77
 HOST, OTHER = "198.51.100.1", "198.51.100.2"
 MASTER_PORT = 11311
-PATIENCE = 30.0  # s: far above what a start takes, for loaded machines
+PATIENCE = 120.0  # s: far above what a start takes, for loaded machines
 KNOCK_S = 2.0  # what is not answered by then is dropped
 
 

@@ -91,10 +91,12 @@ class CorrectedCell {
   }
 
   void begin(const MachineToolpath& part) {
+    states.clear();  // of one that was killed
     node = std::make_unique<test::NodeProcess>(LAMINA_STREAMER_NODE, arguments_);
     publishLatched(toolpath, toMessage(part));
     EXPECT_TRUE(waitUntil([&] {
-      return toolpath.getNumSubscribers() > 0 && correction.getNumSubscribers() > 0 &&
+      // The cell itself listens to toolpaths as well.
+      return toolpath.getNumSubscribers() > 1 && correction.getNumSubscribers() > 0 &&
              uses_.getNumPublishers() > 0 && !states.empty();
     }));
     client = std::make_unique<Client>(space_ + "/stream_program", true);
@@ -161,6 +163,9 @@ class CorrectedCell {
   std::vector<std::string> arguments_;
 };
 
+/// How fast the machine runs: the layer that is trimmed lasts 4 s, for the trim to be made and to arrive.
+constexpr double kSlow = 2.0;
+
 /// Streams the program of a part, whose second layer begins by a map and is trimmed by another.
 void beginTrimmed(CorrectedCell& cell, const MachineToolpath& part, const std::string& program) {
   cell.begin(part);
@@ -178,7 +183,7 @@ void beginTrimmed(CorrectedCell& cell, const MachineToolpath& part, const std::s
 TEST(CorrectedStream, TrimsALayerThatIsUnderWay) {
   const test::ScratchFolder folder;
   const MachineToolpath part = finePart();
-  CorrectedCell cell("trimmed", 10.0, {"_corrections/folder:=" + folder.file("record")});
+  CorrectedCell cell("trimmed", kSlow, {"_corrections/folder:=" + folder.file("record")});
   const std::string program = folder.file("part.gcode");
   ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));
   cell.send(evenMap(part, 2, 0.0, 1));
@@ -201,7 +206,7 @@ TEST(CorrectedStream, IsGoneOnWithByItsRecordAfterAKill) {
   const test::ScratchFolder folder;
   const MachineToolpath part = finePart();
   const std::string journal = folder.file("job.progress");
-  CorrectedCell cell("killed", 10.0,
+  CorrectedCell cell("killed", kSlow,
                      {"_corrections/folder:=" + folder.file("record"), "_stream/journal:=" + journal});
   const std::string program = folder.file("part.gcode");
   ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));
@@ -227,7 +232,7 @@ TEST(CorrectedStream, GoesOnByItsRecordItself) {
   const test::ScratchFolder folder;
   const MachineToolpath part = finePart();
   CorrectedCell cell(
-      "resumed", 10.0,
+      "resumed", kSlow,
       {"_corrections/folder:=" + folder.file("record"), "_stream/journal:=" + folder.file("job.progress")});
   const std::string program = folder.file("part.gcode");
   ASSERT_NO_FATAL_FAILURE(beginTrimmed(cell, part, program));

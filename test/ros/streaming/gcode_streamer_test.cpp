@@ -391,11 +391,13 @@ double filamentOf(const std::vector<std::string>& commands) {
 
 TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   const lamina::MachineToolpath placed = threeLayers();
+  const lamina::LayerCells cells = layerCells(placed.toolpath.layers[1], 1, 0.5);
+  const auto map = correctionMap(cells, {std::vector<double>(cells.size(), 0.3), {}, {}}, placed.id, 1);
   const std::string port = kPort + "_corrected";
   const TestMachine machine(0.0, {}, port);
   const lamina::test::NodeProcess node(
       LAMINA_STREAMER_NODE, {"__ns:=/corrected", "_port:=" + port, "_corrections/use:=true",
-                             "_loop/wait_s:=1", "_corrections/folder:=" + folder_.file("corrections")});
+                             "_loop/wait_s:=5", "_corrections/folder:=" + folder_.file("corrections")});
   Client client("/corrected/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   ros::Publisher toolpath = node_.advertise<lamina_msgs::Toolpath>("/corrected/toolpath", 1, true);
@@ -415,8 +417,6 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   goal.toolpath_id = placed.id;
   client.sendGoal(goal);
   ASSERT_TRUE(waitUntil([&] { return state && state->state == MachineState::EXECUTE; }));
-  const lamina::LayerCells cells = layerCells(placed.toolpath.layers[1], 1, 0.5);
-  const auto map = correctionMap(cells, {std::vector<double>(cells.size(), 0.3), {}, {}}, placed.id, 1);
   lamina::publishLatched(correction, toMessage(map));
   EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
   EXPECT_EQ(client.getState().toString(), "SUCCEEDED") << client.getState().getText();
@@ -437,7 +437,7 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
     EXPECT_EQ(applied[layer].toolpath_id, placed.id);
     EXPECT_EQ(applied[layer].layer, layer);
     EXPECT_EQ(applied[layer].digest, digests[layer]);
-    EXPECT_EQ(applied[layer].waited, layer == 2 ? 1.0 : 0.0);
+    EXPECT_EQ(applied[layer].waited, layer == 2 ? 5.0 : 0.0);
   }
 }
 

@@ -28,7 +28,7 @@ inline std::string inTemporary(const std::string& name) {
 template <class Condition>
 bool comesTrue(Condition condition) {
   const SteadyClock clock;
-  for (const double until_s = clock.now() + 30.0; clock.now() < until_s;) {
+  for (const double until_s = clock.now() + 120.0; clock.now() < until_s;) {
     if (condition()) return true;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }

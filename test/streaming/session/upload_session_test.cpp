@@ -107,7 +107,7 @@ TEST_P(UploadSessionTest, PrintsOverARealSocket) {
   const std::string text = test::hotProgram(20000);
   server.with([](EmulatedPrintServer& emulated) { emulated.printer.lines_per_s = 1e5; });
   StreamSession session(StreamableProgram::fromText("part.gcode", text), {}, {server.address(), 0}, {});
-  ASSERT_TRUE(session.waitFor(30.0));
+  ASSERT_TRUE(session.waitFor(120.0));
   EXPECT_EQ(session.status().state, PackmlState::Complete) << session.status().failure.message;
   EXPECT_TRUE(server.with(
       [&](EmulatedPrintServer& emulated) { return emulated.printer.executed() == test::commandsOf(text); }));
@@ -143,7 +143,7 @@ TEST_P(UploadSessionTest, KeepsWhatItHasUploadedAndHowFarTheMachineIs) {
       EXPECT_EQ(emulated.printer.files.count(known.job.uploaded_as), 1U) << known.job.uploaded_as;
       emulated.printer.lines_per_s = 1e5;
     });
-    ASSERT_TRUE(session.waitFor(30.0));
+    ASSERT_TRUE(session.waitFor(120.0));
     EXPECT_EQ(session.status().state, PackmlState::Complete) << session.status().failure.message;
   }
   const JobProgress known = readJournal(path).progress;
@@ -152,7 +152,7 @@ TEST_P(UploadSessionTest, KeepsWhatItHasUploadedAndHowFarTheMachineIs) {
   server.with([](EmulatedPrintServer& emulated) { emulated.printer.restart(); });
   StreamSession again(program, {}, {server.address(), 0}, {},
                       {{}, followJournal(path, program, server.address()), JobStart::Resume});
-  ASSERT_TRUE(again.waitFor(30.0));
+  ASSERT_TRUE(again.waitFor(120.0));
   EXPECT_EQ(again.status().failure.code, ErrorCode::Rejected);
   EXPECT_NE(again.status().failure.message.find("had read line 602 of 602"), std::string::npos)
       << again.status().failure.message;
