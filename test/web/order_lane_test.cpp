@@ -165,7 +165,7 @@ TEST(OrderLane, ReportsWhetherWhatWasNotAnsweredMayStillBeDone) {
   EXPECT_TRUE(held.given.empty()) << "never given";
   std::promise<void> go;
   EXPECT_EQ(held.lane
-                .ask({"slow", OrderEffect::Other, "cell", 0.05,
+                .ask({"slow", OrderEffect::Other, "cell", 1.0,
                       [&go] {
                         go.get_future().wait();
                         return DeskAnswer{};
