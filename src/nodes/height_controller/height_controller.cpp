@@ -52,6 +52,7 @@ HeightController::HeightController(ros::NodeHandle node, const HeightControllerS
       calibrator_(node, settings.run.calibration.file, settings.queue_mb) {
   diagnostics_.begin("none", "height loop", [this](auto& status) { diagnose(status); });
   know(feed_.settings());
+  alarms_.settle(memory_.stood());
   subscribe(node);
   read_calibration_ =
       node.advertiseService(names::kReadCalibration, &HeightController::onReadCalibration, this);
@@ -188,7 +189,9 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   if (ended_ && !isEnd(*message)) endJob();
   beginAgainIfOver(*message);
   beginNextPart(*message);
-  if (!isEnd(*message) || feed_.run() == nullptr) return;
+  if (feed_.run() == nullptr) return;
+  if (isUnderWay(*message)) feed_.run()->goOn();
+  if (!isEnd(*message)) return;
   // An executor repeats how the print before has ended.
   if (!parts_.hasRun() && !memory_.resumedAfter()) return;
   const double since_s = ended_ ? ended_->since_s : clock_.now();
@@ -223,6 +226,7 @@ void HeightController::endPrint(std::uint8_t state) {
   hold_.releaseAll();
   feed_.pass();
   if (is_complete) feed_.finish();
+  if (feed_.run() != nullptr) feed_.run()->interrupt();
   publishNews();
   save();
   if (is_complete) saveLearnt();
@@ -324,8 +328,18 @@ void HeightController::publishNews() {
       memory_.forget();
     }
   }
-  alarms_.settle(feed_.run() == nullptr ? std::vector<RaisedAlarm>() : feed_.run()->standing());
+  settleAlarms();
   topics_.publish(toMessage(feed_.run()));
+}
+
+/// Until the first toolpath comes, what a node before this one has left stands.
+void HeightController::settleAlarms() {
+  if (feed_.run() != nullptr) {
+    alarms_.settle(feed_.run()->standing());
+    memory_.keepStanding(feed_.run()->standing());
+  } else if (announced_toolpath_) {
+    alarms_.settle({});
+  }
 }
 
 void HeightController::report(const PrintPlan& plan) {

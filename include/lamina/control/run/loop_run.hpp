@@ -172,6 +172,11 @@ class LoopRun {
   void passAll();
   /// Ends the print: judges the layer under way if all of it is deposited.
   void finish();
+  /// States that the print has ended, or was cut off: until `goOn` nothing is expected of the sensors, and no
+  /// condition of theirs stands.
+  void interrupt();
+  /// States that a print that was cut off goes on.
+  void goOn() { is_interrupted_ = false; }
 
   /// What has resulted since the last call.
   LoopNews takeNews();
@@ -269,6 +274,7 @@ class LoopRun {
       Eigen::Vector3d::Zero();  ///< of the sensor of the cloud under way [mm/s, toolpath]
   StandingAlarms watched_;
   StandingConditions standing_;
+  bool is_interrupted_ = false;
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;
   LoopNews news_;

@@ -58,7 +58,7 @@ void LoopRun::resume(const LoopMemory& memory) {
                 : afterRequest(settings_.request, stability_);
   gain_at_check_ = memory.gain_at_check;
   last_alarm_ = memory.last_alarm;
-  if (last_alarm_ && status_.state == LoopState::Coasting) standing_.raise(*last_alarm_);
+  if (isRunning(status_.state)) standing_.resume(memory.standing);
   laid_->carryOver(memory.last_amount, memory.mean_shift_mm);
   news_ = {};
   progress_.resume(memory.layer + 1);
@@ -68,8 +68,8 @@ void LoopRun::resume(const LoopMemory& memory) {
 }
 
 LoopMemory LoopRun::memory(std::size_t layer) const {
-  return {identity(),         layer,           status_,    gain_at_check_, laid_->lastAmount(),
-          laid_->meanShift(), loop_->stored(), last_alarm_};
+  return {identity(),         layer,           status_,     gain_at_check_, laid_->lastAmount(),
+          laid_->meanShift(), loop_->stored(), last_alarm_, standing_.all()};
 }
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
@@ -137,6 +137,12 @@ void LoopRun::passAll() {
 void LoopRun::finish() {
   passAll();
   if (layer_ && loop_->cells().size() > 0 && cellsDeposited(0.0) == loop_->cells().size()) endLayer();
+  interrupt();
+}
+
+void LoopRun::interrupt() {
+  is_interrupted_ = true;
+  watched_ = {};
   standing_.endAll();
 }
 
@@ -364,6 +370,7 @@ void LoopRun::use(const std::string& sensor, const LayerReading& reading) {
 }
 
 void LoopRun::watch() {
+  if (is_interrupted_) return;
   SensorWatch seen;
   // After the last layer nothing is to be seen any more.
   const bool is_blind = layer_ && pose_watches_.isWithoutPose(events_.latestTip());
@@ -475,7 +482,10 @@ void LoopRun::endLayer() {
   below_ = loop_->estimates();
   below_layer_ = *layer_;
   if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
-  if (figures.is_measured) standing_.settleSight(status_, watched_);
+  if (figures.is_measured) {
+    standing_.endResumption();
+    standing_.settleSight(status_, watched_);
+  }
   checkAgain(figures);
   planAnew(figures);
   news_.layers.push_back(outcomeOf(figures));
