@@ -22,6 +22,15 @@ TEST(FadingMap, GoesOnFromPathToPath) {
   EXPECT_TRUE(fadingMap(layer, 4, 0.0, 1.0, LoopSettings()).paths.empty());
 }
 
+/// The support behind the first bead is as planned, and so is the bead behind that.
+TEST(FadingMap, EndsAtSupport) {
+  ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0, 6.0}, 20.0);
+  layer.paths[2].role = PathRole::Support;
+  const CorrectionMap map = fadingMap(layer, 4, 1.2, 1.0, LoopSettings());
+  ASSERT_EQ(map.paths.size(), 1U);
+  EXPECT_EQ(map.paths[0].path, 0U);
+}
+
 TEST(FadingMap, BeginsWithTheLastAmountOfTheLayerBefore) {
   const ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0}, 20.0);
   const LayerCells cells = layerCells(layer, 0, 1.0);

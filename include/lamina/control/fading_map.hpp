@@ -16,7 +16,8 @@ namespace lamina {
 double lastAmount(const CorrectionMap& map, const ToolpathLayer& layer);
 
 /// The map of a layer for which none came: the amount by which the layer before has ended fades to 0, no
-/// faster than the feeder follows at the planned speed. Paths that it does not reach are as planned.
+/// faster than the feeder follows at the planned speed. Paths that it does not reach are as planned, and so
+/// are all behind something that has no cells, which is as planned itself.
 /// @param layer    of which the map is
 /// @param number   of that layer
 /// @param from     relative amount by which the layer before has ended

@@ -10,6 +10,7 @@
 #include "correction_messages.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/layer_cells.hpp"
 #include "lamina/control/program/correction_files.hpp"
 
 namespace lamina {
@@ -167,9 +168,14 @@ ChunkCorrection::Asked ChunkCorrection::askedAt(const JointState& state) const {
   return {here.amount, here.dz_mm};
 }
 
-/// The amount that is taken. From path to path of a map it may step, as the feeder rests in between.
+/// The amount that is taken. From path to path of a map it may step, as the feeder rests in between, and to
+/// what has no cells, which is as planned.
 double ChunkCorrection::followAmount(const JointState& state, double present, double wanted, double span_s) {
   const std::size_t layer = state.heading_for.layer;
+  if (!hasCells(driven_.toolpath.layers[layer].paths[state.heading_for.path])) {
+    if (late_ == layer) late_.reset();
+    return 0.0;
+  }
   if (isKnown(layer) && late_ != layer) return wanted;
   const double most = settings_.feeder_rate_s * span_s;
   const double taken = std::clamp(wanted, present - most, present + most);

@@ -238,6 +238,23 @@ TEST(ChunkCorrection, FadesWhereALayerHasNoMap) {
     EXPECT_NEAR(amountOf(point), std::max(0.0, 0.25 - 0.5 * (point.time_s - 2.5)), 1e-9) << point.time_s;
 }
 
+/// Of the second layer the first centimetre is support, which is as planned, and so is the bead behind it.
+TEST(ChunkCorrection, LaysSupportAsPlannedWhereItFades) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  DrivenToolpath two = driven();
+  two.toolpath.layers.push_back(two.toolpath.layers.front());
+  const Path bead = two.toolpath.layers[1].paths[0];
+  two.toolpath.layers[1].paths.push_back(bead);
+  two.toolpath.layers[1].paths[0].role = PathRole::Support;
+  ChunkCorrection correction(two, LoopSettings(), *model);
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  correction.corrected(chunkOf(2.3, 2.5, *model));
+  TrajectoryChunk next = chunkOf(2.5, 3.5, *model);
+  for (JointState& point : next.points) point.heading_for = {1, point.time_s < 2.6 ? 0U : 1U, 1};
+  for (const JointState& point : correction.corrected(next).points)
+    EXPECT_NEAR(amountOf(point), 0.0, 1e-12) << point.time_s;
+}
+
 /// Two seconds of the layer were handed over when its map comes, which asks for 0.2 there and 0.1 a second
 /// more.
 TEST_F(CorrectedChunks, GoOverToAMapThatComesLate) {

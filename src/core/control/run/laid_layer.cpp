@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kShiftBack = 0.2;  // layers per layer, as the nozzle's height is followed
 
+/// What is deposited without cells is as planned.
+double lastOf(const LayerCells& cells, const std::vector<double>& amount) {
+  return cells.ends_with_other ? 0.0 : amount.back();
+}
+
 }  // namespace
 
 void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
@@ -63,7 +68,7 @@ void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const Loop
     state_ = LoopState::Coasting;
   }
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
-  last_amount_ = laid_.amount.back();
+  last_amount_ = lastOf(cells, laid_.amount);
 }
 
 bool LaidLayer::isAsPlanned() const { return isAllZero(laid_.amount) && isAllZero(shift_mm_); }
@@ -108,7 +113,7 @@ void LaidLayer::realise(const LayerCells& cells, const LoopSettings& settings) {
   laid_ = std::move(result.laid);
   told_ = std::move(result.told);
   mapped_ = {laid_, shift_mm_, state_};
-  last_amount_ = laid_.amount.back();
+  last_amount_ = lastOf(cells, laid_.amount);
 }
 
 }  // namespace lamina

@@ -21,7 +21,7 @@ namespace lamina {
 class LaidLayer {
  public:
   /// Sets what carries over to the next layer.
-  /// @param last_amount    relative amount of the last cell
+  /// @param last_amount    relative amount by which the layer ends
   /// @param mean_shift_mm  mean shift of the nozzle along the growth direction
   void carryOver(double last_amount, double mean_shift_mm);
 
@@ -50,7 +50,7 @@ class LaidLayer {
   /// Shift of the nozzle along the growth direction by cell [mm]; empty before the first layer.
   const std::vector<double>& shift() const { return shift_mm_; }
   double meanShift() const { return mean_shift_mm_; }  ///< [mm]
-  double lastAmount() const { return last_amount_; }   ///< relative amount of the last cell
+  double lastAmount() const { return last_amount_; }   ///< relative amount by which the layer ends
   LoopState state() const { return state_; }           ///< of the loop as it shows in the layer
   /// The last map, as the machine gets it.
   CorrectionMap map(const LayerCells& cells, const std::string& toolpath_id, std::uint64_t sequence) const;
