@@ -25,4 +25,12 @@ double lastAmount(const CorrectionMap& map, const ToolpathLayer& layer);
 CorrectionMap fadingMap(const ToolpathLayer& layer, std::size_t number, double from, double cell_mm,
                         const LoopSettings& settings);
 
+/// A map whose amounts go over from that by which the layer before has ended, no faster than the feeder
+/// follows at the planned speed, as `fadedCorrection` has it.
+/// @param map    with a station for each cell of that layer
+/// @param layer  of which the map is
+/// @param from   relative amount by which the layer before has ended
+CorrectionMap fadedMap(CorrectionMap map, const ToolpathLayer& layer, double from,
+                       const LoopSettings& settings);
+
 }  // namespace lamina

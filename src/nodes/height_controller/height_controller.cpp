@@ -23,10 +23,11 @@ namespace {
 /// Layers that a plan takes the place of are to be waited for, not begun.
 void withholdReplaced(LoopNews& news) {
   if (news.plans.empty()) return;
-  const std::size_t first = news.plans.back().layer;
-  news.maps.erase(std::remove_if(news.maps.begin(), news.maps.end(),
-                                 [first](const CorrectionMap& map) { return map.layer >= first; }),
-                  news.maps.end());
+  const auto is_replaced = [first = news.plans.back().layer](const CorrectionMap& map) {
+    return map.layer >= first;
+  };
+  for (auto* const maps : {&news.maps, &news.coasting_maps})
+    maps->erase(std::remove_if(maps->begin(), maps->end(), is_replaced), maps->end());
 }
 
 constexpr double kTurn = 0.02;              // s between looks at what is due
@@ -311,6 +312,8 @@ void HeightController::publishNews() {
     // First: a print that has to be held does not begin its next layer.
     for (const PrintPlan& plan : news.plans) report(plan);
     for (const RaisedAlarm& alarm : news.alarms) report(alarm);
+    // Ahead of the others: the last map, which is latched, is that of the layer under way.
+    for (const CorrectionMap& coasting : news.coasting_maps) topics_.publish(coasting);
     auto map = news.maps.begin();
     const auto publishUpTo = [&](std::size_t layer) {
       for (; map != news.maps.end() && map->layer <= layer; ++map)

@@ -29,6 +29,7 @@ void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
 
 void LaidLayer::decide(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings) {
   state_ = state;
+  coasting_.reset();
   is_map_missed_ = is_wholly_missed_ = false;
   first_amount_ = last_amount_;
   laid_ = wanted(loop, state, settings.loop);
@@ -50,21 +51,25 @@ void LaidLayer::trim(const LayerCells& cells, std::vector<double> amount, const 
   realise(cells, settings);
 }
 
-void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings) {
+void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings,
+                           Without without) {
   is_map_missed_ = cell > 0;
   is_wholly_missed_ = cell == cells.size();
   laid_ = mapped_.correction;
   shift_mm_ = mapped_.shift_mm;
   state_ = mapped_.state;
+  const Mapped planned = {{std::vector<double>(cells.size(), 0.0), 0.0},
+                          std::vector<double>(cells.size(), 0.0),
+                          LoopState::Coasting};
+  const Mapped& other = without == Without::OwnMap && coasting_ ? *coasting_ : planned;
   if (is_map_missed_) {
     const std::vector<double> before(cells.size(), first_amount_);
-    const std::vector<double> planned(cells.size(), 0.0);
-    const std::vector<double> faded = fadedCorrection(cells, before, planned, 0, settings);
+    const std::vector<double> faded = fadedCorrection(cells, before, other.correction.amount, 0, settings);
     laid_.amount = fadedCorrection(cells, faded, mapped_.correction.amount, cell, settings);
   }
-  std::fill_n(shift_mm_.begin(), cell, 0.0);
-  if (cell == laid_.amount.size()) {
-    laid_.limited_share = 0.0;
+  std::copy_n(other.shift_mm.begin(), cell, shift_mm_.begin());
+  if (is_wholly_missed_) {
+    laid_.limited_share = other.correction.limited_share;
     state_ = LoopState::Coasting;
   }
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ class LaidLayer {
   /// @param mean_shift_mm  mean shift of the nozzle along the growth direction
   void carryOver(double last_amount, double mean_shift_mm);
 
+  /// States by what of the layer is deposited that has no map in time, once it is decided.
+  /// @param coasting  that layer as it was decided when the one before began
+  void fallBackOn(const LaidLayer& coasting) { coasting_ = coasting.mapped_; }
+
   /// Decides the layer that the loop has begun.
   /// @param state  of the loop for this layer
   void decide(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings);
@@ -33,10 +38,16 @@ class LaidLayer {
   /// Replaces the amounts, in the map too.
   /// @param amount  relative, one for each cell
   void trim(const LayerCells& cells, std::vector<double> amount, const LoopSettings& settings);
-  /// Lays the first cells without a map, on which the last amount of the layer before fades to 0, and the
-  /// others by the last map, no faster than the feeder follows.
+  /// By what cells are deposited that go to the machine before their map.
+  enum class Without : std::uint8_t {
+    Map,    ///< as planned
+    OwnMap  ///< by the coasting map, if the layer has one
+  };
+  /// Lays the first cells without the last map, on which the last amount of the layer before fades to 0 or to
+  /// the amounts of the coasting map, and the others by that map, no faster than the feeder follows.
   /// @param cell  number of cells that the machine deposited without the map; 0 if it has all of them
-  void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings);
+  void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings,
+                  Without without = Without::Map);
 
   /// Whether the map changes nothing of the plan on any cell that is laid by it.
   bool isAsPlanned() const;
@@ -67,7 +78,8 @@ class LaidLayer {
     LoopState state = LoopState::Off;
   };
   Mapped mapped_;
-  CellCorrections told_;  ///< for the machine, of the last map
+  std::optional<Mapped> coasting_;  ///< the same of the coasting map
+  CellCorrections told_;            ///< for the machine, of the last map
   LayerCorrection laid_;
   std::vector<double> shift_mm_;
   LoopState state_ = LoopState::Off;
