@@ -40,6 +40,7 @@ struct EstimatedPrint {
   LoopRecord record;
   std::map<std::size_t, std::string> digests;  ///< of the latest map of each layer
   std::vector<std::string> map_digests;        ///< of all maps, in the order in which they were made
+  std::vector<std::string> coasting_digests;   ///< the same of coasting maps
   std::vector<RaisedAlarm> alarms;
   std::vector<PrintPlan> plans;  ///< that were offered
   LoopStatus status;
@@ -90,6 +91,8 @@ class Estimation {
     EstimatedPrint& print = prints_.back();
     print.alarms.insert(print.alarms.end(), news.alarms.begin(), news.alarms.end());
     print.plans.insert(print.plans.end(), news.plans.begin(), news.plans.end());
+    for (const CorrectionMap& map : news.coasting_maps)
+      print.coasting_digests.push_back(toMessage(map).digest);
     takeMaps(news.maps);
     for (const LayerOutcome& layer : news.layers) print.record.add(layer, print.digests[layer.figures.layer]);
   }
@@ -165,6 +168,7 @@ nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
           {"reason", print.status.reason},
           {"layers", layers},
           {"map_digests", print.map_digests},
+          {"coasting_digests", print.coasting_digests},
           {"plans", plans},
           {"clouds", print.feed.received},
           {"clouds_read", print.counts.clouds_read},

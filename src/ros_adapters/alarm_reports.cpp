@@ -46,6 +46,11 @@ void AlarmReports::raise(std::uint16_t id, double value, const std::string& mess
   reports_.publish(report);
 }
 
+bool AlarmReports::stands(std::uint16_t id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return standing_.count(id) > 0;
+}
+
 void AlarmReports::end(std::uint16_t id) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (standing_.erase(id) > 0) reports_.publish(endOf(id));

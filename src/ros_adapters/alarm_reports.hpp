@@ -27,6 +27,7 @@ class AlarmReports {
   void raise(std::uint16_t id, double value, const std::string& message);
   /// Reports a condition as gone if it stands.
   void end(std::uint16_t id);
+  bool stands(std::uint16_t id);
 
  private:
   lamina_msgs::AlarmReport endOf(std::uint16_t id) const;

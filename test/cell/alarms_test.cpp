@@ -128,6 +128,22 @@ TEST(ActiveAlarms, TellOfOneThatWasAcknowledgedAndCameBackWithinTheSecond) {
   EXPECT_DOUBLE_EQ(returned[0].value, 25.0);
 }
 
+TEST(ActiveAlarms, TellOfAnEventThatHoldsAgainWithinTheSecondOfItsAcknowledgement) {
+  ActiveAlarms alarms;
+  EXPECT_EQ(alarms.raise(6110, 0.0, "2 mm", 1.0), ActiveAlarms::Raised::Anew);
+  alarms.acknowledge(6110, "Mia", 1.3);
+  EXPECT_TRUE(alarms.all().empty());
+  EXPECT_EQ(alarms.raise(6110, 0.0, "3 mm", 1.6), ActiveAlarms::Raised::Flooding);
+  const auto returned = alarms.takeReturned(2.1);
+  ASSERT_EQ(returned.size(), 1U);
+  EXPECT_EQ(returned[0].message, "3 mm");
+  EXPECT_DOUBLE_EQ(returned[0].raised_s, 1.6);
+  EXPECT_TRUE(alarms.takeReturned(4.0).empty());
+  alarms.raise(6110, 0.0, "4 mm", 5.0);
+  alarms.raise(6110, 0.0, "4 mm", 5.5);
+  EXPECT_TRUE(alarms.takeReturned(7.0).empty()) << "nobody acknowledged it in between";
+}
+
 TEST(ActiveAlarms, ForgetEventsThatNobodyHasToAcknowledge) {
   ActiveAlarms alarms;
   alarms.raise(4102, 0.0, "", 1.0);

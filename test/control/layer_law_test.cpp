@@ -132,6 +132,37 @@ TEST(LayerLaw, FadesNoFasterThanTheFeederFollows) {
   EXPECT_EQ(faded[11], 0.0);
 }
 
+/// Two beads of ten cells of 1 mm: the second steps, as the map that was reached on the first one has it.
+TEST(FadedCorrection, StepsFromPathToPathOnceTheMapIsReached) {
+  const LayerCells cells = test::straightBeads({0.0, 3.0}, 10.0, 1.0);
+  std::vector<double> to(20, 0.1);
+  std::fill(to.begin() + 10, to.end(), -0.2);
+  const auto faded = fadedCorrection(cells, std::vector<double>(20, 0.0), to, 5, LoopSettings());
+  EXPECT_NEAR(faded[5], 0.05, kRounding);  // 0.5 /s at 10 mm/s: 0.05 per mm
+  EXPECT_EQ(faded[6], 0.1);
+  EXPECT_EQ(faded[10], -0.2);
+  const auto late = fadedCorrection(cells, std::vector<double>(20, 0.0), to, 9, LoopSettings());
+  EXPECT_NEAR(late[10], 0.0, kRounding) << "not reached on the first one";
+  EXPECT_NEAR(late[11], -0.05, kRounding);
+}
+
+/// Support between two beads is as planned: what comes behind it is as the new map has it.
+TEST(FadedCorrection, EndsWhereSomethingWithoutCellsIsDeposited) {
+  ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0, 6.0}, 10.0);
+  layer.paths[2].role = PathRole::Support;
+  const LayerCells cells = layerCells(layer, 0, 1.0);
+  ASSERT_EQ(cells.runs.size(), 2U);
+  EXPECT_FALSE(cells.runs[0].is_after_other);
+  EXPECT_TRUE(cells.runs[1].is_after_other);
+  EXPECT_FALSE(cells.ends_with_other);
+  const std::vector<double> before(20, 0.8);
+  const auto faded = fadedCorrection(cells, before, std::vector<double>(20, 0.0), 0, LoopSettings());
+  EXPECT_NEAR(faded[9], 0.3, kRounding);
+  EXPECT_EQ(faded[10], 0.0);
+  layer.paths[4].role = PathRole::Support;
+  EXPECT_TRUE(layerCells(layer, 0, 1.0).ends_with_other);
+}
+
 TEST(FeederLead, CommandsWhatIsNeededWhereTheNozzleWillBe) {
   const LayerCells cells = test::straightBeads({0.0}, 100.0, 0.5);
   std::vector<double> amount;

@@ -60,7 +60,8 @@ struct SensedWallCase {
   std::function<bool(std::size_t layer)> misses_map = {};
   /// Of such a layer the way that is deposited before the map holds after all; none where it never does.
   std::optional<double> missed_mm = {};
-  bool is_miss_told_early = false;  ///< while the layer before is deposited
+  bool is_miss_told_early = false;   ///< while the layer before is deposited
+  bool takes_coasting_maps = false;  ///< for such layers, else they are laid as planned
 };
 
 /// What was sent and what came of it. Heights lie 1 mm apart along the wall.
@@ -69,6 +70,7 @@ struct SensedWall {
   std::vector<StampedTip> tips;
   std::vector<SensedCloud> clouds;
   std::vector<CorrectionMap> maps;
+  std::vector<CorrectionMap> coasting_maps;
   std::vector<LayerOutcome> layers;
   std::vector<RaisedAlarm> alarms;
   std::vector<PrintPlan> plans;
@@ -199,25 +201,30 @@ class SensedWallPrinter {
   MissedMap missed(std::size_t layer) const {
     MissedMap missed{layer, 2.5, {}, {}};
     if (wall_.missed_mm) missed.held_from = PlaceOnLayer{0, *wall_.missed_mm};
+    missed.is_coasting = wall_.takes_coasting_maps;
     return missed;
   }
 
   double amountAt(std::size_t layer, std::size_t place) const {
-    if (!misses(layer)) return mappedAt(layer, static_cast<double>(place));
-    // From what the layer before ended with to nothing, and from there to the map, as fast as the feeder is.
+    if (!misses(layer)) return amountIn(printed_.maps, layer, static_cast<double>(place));
+    // From what the layer before ended with to nothing or to the coasting map, and from there to the map, as
+    // fast as the feeder is.
     const double along = static_cast<double>(place);
     const double missed = std::min(along, wall_.missed_mm.value_or(1e9));
     const double before = layer > 0 ? amountAt(layer - 1, places() - 1) : 0.0;
     const double steepest = wall_.settings.loop.feeder_rate_s / wall_.speed_mm_s;
-    const double faded = before - std::clamp(before, -steepest * missed, steepest * missed);
+    const std::vector<CorrectionMap> none;
+    const double other =
+        amountIn(wall_.takes_coasting_maps ? printed_.coasting_maps : none, layer, along) - before;
+    const double faded = before + std::clamp(other, -steepest * missed, steepest * missed);
     if (missed == along) return faded;
     const double most = steepest * (along - missed);
-    return faded + std::clamp(mappedAt(layer, along) - faded, -most, most);
+    return faded + std::clamp(amountIn(printed_.maps, layer, along) - faded, -most, most);
   }
 
-  double mappedAt(std::size_t layer, double along_mm) const {
+  double amountIn(const std::vector<CorrectionMap>& maps, std::size_t layer, double along_mm) const {
     const CorrectionMap* latest = nullptr;
-    for (const CorrectionMap& map : printed_.maps)
+    for (const CorrectionMap& map : maps)
       if (map.layer == layer && map.toolpath_id == toolpath_id_) latest = &map;
     if (latest == nullptr || latest->paths.empty()) return 0.0;
     return correctionAt(latest->paths[0], along_mm).amount;
@@ -291,6 +298,7 @@ class SensedWallPrinter {
 
   void take() {
     LoopNews news = run_->takeNews();
+    for (auto& map : news.coasting_maps) printed_.coasting_maps.push_back(std::move(map));
     for (auto& map : news.maps) printed_.maps.push_back(std::move(map));
     for (auto& layer : news.layers) printed_.layers.push_back(std::move(layer));
     for (auto& plan : news.plans) printed_.plans.push_back(std::move(plan));

@@ -57,9 +57,9 @@ class ActiveAlarms {
   /// Removes the events below Hold, as a reset of the unit does.
   void forgetEvents();
 
-  /// The conditions that came back, ended or acknowledged since they were last reported, within the second in
-  /// which their repetitions are not: those that are still present once that second is over, each once and
-  /// with the time at which it came back.
+  /// The conditions, and the events from Hold on, that came back, ended or acknowledged since they were last
+  /// reported, within the second in which their repetitions are not: those that are still active once that
+  /// second is over, each once and with the time at which it came back.
   std::vector<ActiveAlarm> takeReturned(double now_s);
 
   const std::vector<ActiveAlarm>& all() const { return alarms_; }

@@ -17,6 +17,7 @@ struct CellRun {
   std::size_t count = 0;
   double length_mm = 0.0;
   bool is_closed = false;
+  bool is_after_other = false;  ///< whether what is deposited just before it has no cells
 
   double cellLength() const { return length_mm / static_cast<double>(count); }  ///< [mm]
 };
@@ -53,9 +54,13 @@ struct LayerCells {
   std::vector<Eigen::Vector3d> growth;
 
   std::vector<CellsBeside> beside;  ///< neighbours across the beads
+  bool ends_with_other = false;     ///< whether what is deposited last has no cells
 
   std::size_t size() const { return middle.size(); }
 };
+
+/// Whether a path is divided into cells: what is deposited otherwise is as planned.
+bool hasCells(const Path& path);
 
 /// Divides a layer into cells. Travels, drops and build aids (skirt, supports and the like) have none.
 ///

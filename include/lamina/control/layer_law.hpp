@@ -53,7 +53,9 @@ double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
 /// The amounts of a layer whose map is replaced while the layer is deposited, one per cell. Cells before
 /// `begin` keep the amounts `from`. From `begin` on, the amount goes from that of the cell before to those of
-/// `to`, no faster than the feeder follows; this may last over several runs.
+/// `to`, no faster than the feeder follows; this may last over several runs. Once it has come to an amount of
+/// `to`, or something was deposited that has no cells and is as planned, all others are those of `to`: from
+/// path to path they may step, as the feeder rests in between.
 /// @param from   amounts of the map that is in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change

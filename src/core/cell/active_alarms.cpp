@@ -39,7 +39,8 @@ ActiveAlarms::Raised ActiveAlarms::raise(int id, double value, const std::string
   if (kind.cause == AlarmCause::Event) alarm.gone_s = now_s;
   const bool is_flooding = isFlooding(id, now_s);
   const auto last = findAlarm(last_reports_, id);
-  if (is_flooding && !isGone(alarm) && last->is_outdated && !last->back_s) last->back_s = now_s;
+  const bool waits = !isGone(alarm) || isLatched(alarm);
+  if (is_flooding && waits && last->is_outdated && !last->back_s) last->back_s = now_s;
   const auto active = findAlarm(alarms_, id);
   if (active == alarms_.end()) {
     alarms_.push_back(alarm);

@@ -14,6 +14,12 @@
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
+
+bool hasCells(const Path& path) {
+  return path.deposit == Deposit::Bead && path.role != PathRole::Travel &&
+         kindOf(path.role) != RoleKind::BuildAid && path.motionCount() > 0;
+}
+
 namespace {
 
 constexpr double kBeadReach = 1.25;   // bead widths
@@ -128,11 +134,6 @@ CellRegion regionAt(double along, const MeasuredPath& measured, const std::vecto
   return is_before || is_after ? CellRegion::Corner : CellRegion::Straight;
 }
 
-bool hasCells(const Path& path) {
-  return path.deposit == Deposit::Bead && path.role != PathRole::Travel &&
-         kindOf(path.role) != RoleKind::BuildAid && path.motionCount() > 0;
-}
-
 /// Whether the depositing paths lie within the layer's height of one another.
 bool isPlane(const ToolpathLayer& layer, const Eigen::Vector3d& normal) {
   double least = std::numeric_limits<double>::infinity();
@@ -230,8 +231,13 @@ LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell
   LayerCells cells;
   cells.layer = index;
   const Growth growth{normal, isPlane(layer, normal)};
-  for (std::size_t p = 0; p < layer.paths.size(); ++p)
+  for (std::size_t p = 0; p < layer.paths.size(); ++p) {
+    const std::size_t runs = cells.runs.size();
     if (hasCells(layer.paths[p])) addRun(cells, layer.paths[p], p, cell_mm, growth);
+    const bool is_run = cells.runs.size() > runs;
+    if (is_run) cells.runs.back().is_after_other = cells.ends_with_other;
+    if (is_run || layer.paths[p].role != PathRole::Travel) cells.ends_with_other = !is_run;
+  }
   cells.beside = cellsBeside(cells, normal);
   return cells;
 }

@@ -160,10 +160,13 @@ std::vector<double> fadedCorrection(const LayerCells& cells, const std::vector<d
   std::vector<double> faded = from;
   if (begin >= cells.size()) return faded;
   double last = from[begin > 0 ? begin - 1 : begin];  // where the nozzle comes from
+  bool is_over = false;
   for (const CellRun& run : cells.runs) {
+    is_over = is_over || (run.is_after_other && run.first >= begin);
     for (std::size_t i = std::max(begin, run.first); i < run.first + run.count; ++i) {
       const double step = greatestSlope(settings.feeder_rate_s, cells.speed_mm_s[i]) * run.cellLength();
-      last = std::clamp(to[i], last - step, last + step);
+      last = is_over ? to[i] : std::clamp(to[i], last - step, last + step);
+      is_over = is_over || last == to[i];
       faded[i] = last;
     }
   }

@@ -26,8 +26,14 @@ void CorrectionReports::tell(CorrectedStream& corrected) const {
                 static_cast<unsigned long>(each.from_line));
       continue;
     }
-    publish(toMessage({each.layer, each.waited_s, each.refusal, {}}, toolpath_id, each.digest));
-    if (!each.digest.empty())
+    // What is deposited by the coasting map has a digest, which leaves no place for why.
+    const std::string reason = each.is_coasting ? std::string() : each.refusal;
+    publish(toMessage({each.layer, each.waited_s, reason, {}}, toolpath_id, each.digest));
+    if (each.is_coasting)
+      ROS_WARN("%d: no map of layer %lu within %.1f s: it is deposited by its coasting map %s",
+               static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s,
+               each.digest.c_str());
+    else if (!each.digest.empty())
       ROS_INFO("layer %lu is deposited by map %s", static_cast<unsigned long>(each.layer),
                each.digest.c_str());
     else if (!each.refusal.empty())

@@ -44,19 +44,22 @@ std::string LayerCorrector::hear(CorrectionMap map) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (decisions_.empty() || map.layer > decisions_.back().layer) {
-      heard_[map.layer] = std::move(map);
+      (isCoasting(map) ? coasting_ : heard_)[map.layer] = std::move(map);
       return {};
     }
+    if (isCoasting(map)) return {};  // nobody waits for it any more
     if (!trims(map))
       return "the map of layer " + std::to_string(map.layer) + " comes when that layer is on its way";
   }
   return hearTrim(std::move(map));
 }
 
-/// A layer deposited as planned was reported as such to the loop: no later map trims it.
+/// A layer deposited as planned, or by its coasting map, was reported as such to the loop: no later map trims
+/// it.
 bool LayerCorrector::trims(const CorrectionMap& map) const {
   const LayerDecision& last = decisions_.back();
-  return map.layer == last.layer && !last.digest.empty() && map.sequence > last.sequence;
+  const bool is_by_map = !last.digest.empty() && !last.is_coasting;
+  return map.layer == last.layer && is_by_map && map.sequence > last.sequence;
 }
 
 /// A map is written before the line that it holds from, which must not wait for a disk.
@@ -158,6 +161,27 @@ std::string LayerCorrector::fade(std::size_t layer) {
   }
 }
 
+/// A feeder with a delay was commanded for another beginning: nothing is known to go over from.
+/// @return the digest of the map as it is applied; empty if there is no coasting map that can be
+std::string LayerCorrector::coast(LayerDecision& decision) {
+  const auto coasting = coasting_.find(decision.layer);
+  if (coasting == coasting_.end() || coasting->second.paths.empty()) return {};
+  try {
+    const bool is_delayed = settings_.loop.dead_time_s > 0.0 || settings_.loop.lag_s > 0.0;
+    const ToolpathLayer& layer = toolpath_.toolpath.layers[decision.layer];
+    const CorrectionMap map =
+        is_delayed ? coasting->second : fadedMap(coasting->second, layer, last_amount_, settings_.loop);
+    use(map, led(map));
+    std::string digest = digestOf(map);
+    record_.keep({decision.layer, 0, digest}, map);
+    decision.digest = digestOf(coasting->second);
+    decision.is_coasting = true;
+    return digest;
+  } catch (const Error&) {
+    return {};  // it fades
+  }
+}
+
 /// A map that cannot be applied leaves its layer as planned: the print goes on.
 void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   const std::size_t layer = decision.layer;
@@ -172,12 +196,15 @@ void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
   } catch (const Error& error) {
     decision.refusal = error.what();
   }
-  const std::string digest = decision.digest.empty() ? fade(layer) : decision.digest;
+  std::string digest = decision.digest;
+  if (digest.empty()) digest = coast(decision);
+  if (digest.empty()) digest = fade(layer);
   record_.add({layer, decision.sequence, digest, decision.from_line});
   decisions_.push_back(std::move(decision));
   awaited_.reset();
   trim_.reset();
   heard_.erase(heard_.begin(), heard_.upper_bound(layer));
+  coasting_.erase(coasting_.begin(), coasting_.upper_bound(layer));
 }
 
 /// A job that fails before its first line leaves the record of the one before.

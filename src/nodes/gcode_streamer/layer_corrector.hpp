@@ -29,13 +29,15 @@ struct LayerDecision {
   double waited_s = 0.0;        ///< in vain
   std::uint64_t from_line = 0;  ///< of the program, from 1
   bool is_later = false;        ///< a map took the place of the one that the layer began with
+  bool is_coasting = false;     ///< its own map did not come in time: the one applied is the coasting map
 };
 
 /// Whether the first layer of a program waits for its map, too: of a part that begins nothing can be known.
 enum class FirstMap { AsPlanned, Awaited };
 
 /// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
-/// layer each waits for its map; on one that begins without, the amount of the layer before fades to 0. Maps
+/// layer each waits for its map; one that begins without takes its coasting map, to which the amount of the
+/// layer before goes over, and where there is none that amount fades to 0. Maps
 /// may come from any thread; the latest that is there when a layer is decided holds, and later ones of a
 /// layer that is deposited by a map from the next line of the program on.
 class LayerCorrector final : public ProgramRevision {
@@ -88,6 +90,7 @@ class LayerCorrector final : public ProgramRevision {
   void apply(LayerDecision decision, const CorrectionMap* map);
   void use(const CorrectionMap& map, const CorrectionMap& ready);
   std::string fade(std::size_t layer);
+  std::string coast(LayerDecision& decision);
 
   const ProgrammedToolpath toolpath_;
   const StreamCorrectionSettings settings_;
@@ -96,9 +99,10 @@ class LayerCorrector final : public ProgramRevision {
   ProgramCorrector corrector_;
   CorrectionRecord record_;
 
-  mutable std::mutex mutex_;                    ///< of what is below
-  std::map<std::size_t, CorrectionMap> heard_;  ///< by layer, not applied yet
-  std::optional<Trim> trim_;                    ///< of the layer under way, not applied yet
+  mutable std::mutex mutex_;                       ///< of what is below
+  std::map<std::size_t, CorrectionMap> heard_;     ///< by layer, not applied yet
+  std::map<std::size_t, CorrectionMap> coasting_;  ///< the same of coasting maps
+  std::optional<Trim> trim_;                       ///< of the layer under way, not applied yet
   std::vector<LayerDecision> decisions_;
   std::uint64_t next_line_ = 1;         ///< to be revised
   double last_amount_ = 0.0;            ///< by which the layers decided so far end

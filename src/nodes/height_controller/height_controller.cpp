@@ -23,10 +23,11 @@ namespace {
 /// Layers that a plan takes the place of are to be waited for, not begun.
 void withholdReplaced(LoopNews& news) {
   if (news.plans.empty()) return;
-  const std::size_t first = news.plans.back().layer;
-  news.maps.erase(std::remove_if(news.maps.begin(), news.maps.end(),
-                                 [first](const CorrectionMap& map) { return map.layer >= first; }),
-                  news.maps.end());
+  const auto is_replaced = [first = news.plans.back().layer](const CorrectionMap& map) {
+    return map.layer >= first;
+  };
+  for (auto* const maps : {&news.maps, &news.coasting_maps})
+    maps->erase(std::remove_if(maps->begin(), maps->end(), is_replaced), maps->end());
 }
 
 constexpr double kTurn = 0.02;              // s between looks at what is due
@@ -52,6 +53,7 @@ HeightController::HeightController(ros::NodeHandle node, const HeightControllerS
       calibrator_(node, settings.run.calibration.file, settings.queue_mb) {
   diagnostics_.begin("none", "height loop", [this](auto& status) { diagnose(status); });
   know(feed_.settings());
+  alarms_.settle(memory_.stood());
   subscribe(node);
   read_calibration_ =
       node.advertiseService(names::kReadCalibration, &HeightController::onReadCalibration, this);
@@ -188,7 +190,9 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   if (ended_ && !isEnd(*message)) endJob();
   beginAgainIfOver(*message);
   beginNextPart(*message);
-  if (!isEnd(*message) || feed_.run() == nullptr) return;
+  if (feed_.run() == nullptr) return;
+  if (isUnderWay(*message)) feed_.run()->goOn();
+  if (!isEnd(*message)) return;
   // An executor repeats how the print before has ended.
   if (!parts_.hasRun() && !memory_.resumedAfter()) return;
   const double since_s = ended_ ? ended_->since_s : clock_.now();
@@ -223,6 +227,7 @@ void HeightController::endPrint(std::uint8_t state) {
   hold_.releaseAll();
   feed_.pass();
   if (is_complete) feed_.finish();
+  if (feed_.run() != nullptr) feed_.run()->interrupt();
   publishNews();
   save();
   if (is_complete) saveLearnt();
@@ -307,6 +312,8 @@ void HeightController::publishNews() {
     // First: a print that has to be held does not begin its next layer.
     for (const PrintPlan& plan : news.plans) report(plan);
     for (const RaisedAlarm& alarm : news.alarms) report(alarm);
+    // Ahead of the others: the last map, which is latched, is that of the layer under way.
+    for (const CorrectionMap& coasting : news.coasting_maps) topics_.publish(coasting);
     auto map = news.maps.begin();
     const auto publishUpTo = [&](std::size_t layer) {
       for (; map != news.maps.end() && map->layer <= layer; ++map)
@@ -324,8 +331,18 @@ void HeightController::publishNews() {
       memory_.forget();
     }
   }
-  alarms_.settle(feed_.run() == nullptr ? std::vector<RaisedAlarm>() : feed_.run()->standing());
+  settleAlarms();
   topics_.publish(toMessage(feed_.run()));
+}
+
+/// Until the first toolpath comes, what a node before this one has left stands.
+void HeightController::settleAlarms() {
+  if (feed_.run() != nullptr) {
+    alarms_.settle(feed_.run()->standing());
+    memory_.keepStanding(feed_.run()->standing());
+  } else if (announced_toolpath_) {
+    alarms_.settle({});
+  }
 }
 
 void HeightController::report(const PrintPlan& plan) {

@@ -69,6 +69,7 @@ class HeightController {
   void know(const LoopRunSettings& settings);
   void recalibrate();
   void publishNews();
+  void settleAlarms();
   void report(const PrintPlan& plan);
   void report(const RaisedAlarm& alarm);
   void report(const LayerOutcome& layer);

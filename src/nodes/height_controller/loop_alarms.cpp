@@ -30,6 +30,8 @@ LoopAlarms::LoopAlarms(const ros::NodeHandle& node) : reports_(node, "height_con
 void LoopAlarms::raise(const RaisedAlarm& alarm) { reports_.raise(idOf(alarm.alarm), 0.0, alarm.reason); }
 
 void LoopAlarms::settle(const std::vector<RaisedAlarm>& standing) {
+  for (const RaisedAlarm& alarm : standing)
+    if (!reports_.stands(idOf(alarm.alarm))) raise(alarm);
   for (const LoopAlarm alarm : kConditions)
     if (!isAmong(standing, alarm)) reports_.end(idOf(alarm));
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "print_hold.hpp"
 
+#include <ros/init.h>
 #include <ros/service.h>
+#include <ros/topic.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
@@ -11,23 +13,41 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
+#include "unit_hold.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::uint8_t kNotInThisState = 2;
+constexpr int kTries = 25;
+constexpr double kBetweenTries = 0.2;    // s
+constexpr double kStatusPatience = 1.0;  // s: the unit's status is latched, and repeated twice a second
 
-PrintHold::Answer holdUnit() {
+std::optional<UnitState> stateOfUnit() {
+  const auto status = ros::topic::waitForMessage<lamina_msgs::PackmlStatus>(names::kPackmlStatus,
+                                                                            ros::Duration(kStatusPatience));
+  if (!status) return std::nullopt;
+  return static_cast<UnitState>(status->state);
+}
+
+PrintHold::Answer askUnit() {
   lamina_msgs::PackmlCommand hold;
   hold.request.command = lamina_msgs::PackmlCommand::Request::HOLD;
   hold.request.source = "height_controller";
   hold.request.expected_sequence = -1;
   if (!callService(names::kPackmlCommand, hold)) return {false, "the unit did not answer to Hold"};
-  if (hold.response.message.empty()) return {true, "the unit holds the print"};
-  // Mostly since it holds already, by the alarm that was reported to it.
-  if (hold.response.result == kNotInThisState)
-    return {true, "the unit takes no Hold: " + hold.response.message};
-  return {false, "the print is not held: " + hold.response.message};
+  const auto result = static_cast<CommandResult>(hold.response.result);
+  const bool is_refused = result == CommandResult::NotInThisState && !hold.response.message.empty();
+  return answerToHold(result, hold.response.message, is_refused ? stateOfUnit() : std::nullopt);
+}
+
+/// A unit that is on its way to go on takes a Hold once it has gone on.
+PrintHold::Answer holdUnit() {
+  PrintHold::Answer answer = askUnit();
+  for (int i = 1; i < kTries && answer.is_passing && ros::ok(); ++i) {
+    ros::WallDuration(kBetweenTries).sleep();
+    answer = askUnit();
+  }
+  return answer;
 }
 
 PrintHold::Answer holdPrint() {

@@ -20,7 +20,8 @@ class PrintHold {
   /// What became of a request.
   struct Answer {
     bool is_held = false;
-    std::string text;  ///< for the log
+    std::string text;         ///< for the log
+    bool is_passing = false;  ///< whether it was refused in a state that passes
   };
   /// Asks for it and waits for the answer, on a thread of its own.
   using Ask = std::function<Answer()>;

@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -24,6 +25,15 @@ void PrintMemory::resume(LoopRun& run) {
   }
 }
 
+std::vector<RaisedAlarm> PrintMemory::stood() const {
+  if (!isKept() || !std::filesystem::exists(file_)) return {};
+  try {
+    return readLoopMemory(file_).standing;
+  } catch (const Error&) {
+    return {};  // why is said when the print is to go on
+  }
+}
+
 void PrintMemory::keep(const LoopMemory& memory) {
   memory_ = memory;
   write();
@@ -32,6 +42,15 @@ void PrintMemory::keep(const LoopMemory& memory) {
 void PrintMemory::keepStatus(const LoopStatus& status) {
   if (!memory_) return;
   memory_->status = status;
+  write();
+}
+
+void PrintMemory::keepStanding(const std::vector<RaisedAlarm>& standing) {
+  const auto isEqual = [](const RaisedAlarm& a, const RaisedAlarm& b) { return a.alarm == b.alarm; };
+  if (!memory_ || std::equal(standing.begin(), standing.end(), memory_->standing.begin(),
+                             memory_->standing.end(), isEqual))
+    return;
+  memory_->standing = standing;
   write();
 }
 

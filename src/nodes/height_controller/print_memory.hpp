@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lamina/control/run/loop_run.hpp"
 
@@ -24,9 +25,14 @@ class PrintMemory {
   /// The layer that a print went on after; none if it did not.
   const std::optional<std::size_t>& resumedAfter() const { return resumed_after_; }
 
+  /// The conditions that stood when a node before this one wrote the file; none if it cannot be read.
+  std::vector<RaisedAlarm> stood() const;
+
   void keep(const LoopMemory& memory);
   /// What the operator asked for holds after a restart as well.
   void keepStatus(const LoopStatus& status);
+  /// The conditions that stand, which may begin and end amid a layer; written if they have changed.
+  void keepStanding(const std::vector<RaisedAlarm>& standing);
   /// The print is over.
   void forget();
 

@@ -10,6 +10,7 @@
 #include "correction_messages.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/layer_cells.hpp"
 #include "lamina/control/program/correction_files.hpp"
 
 namespace lamina {
@@ -66,6 +67,7 @@ std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& d
   std::string defect = lamina::defectOf(map, driven_.id, driven_.toolpath);
   const bool is_of_layer = map.toolpath_id == driven_.id && map.layer < layers();
   if (defect.empty()) defect = defectOfSpeeds(map);
+  if (isCoasting(map)) return keepCoasting(map, digest, defect);
   if (defect.empty() && handed_layer_ && map.layer < *handed_layer_)
     defect = "of layer " + std::to_string(map.layer) + " comes when layer " + std::to_string(*handed_layer_) +
              " is on its way";
@@ -79,10 +81,21 @@ std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& d
   return {};
 }
 
+/// One that comes when its layer has a map, or is on its way, is not needed.
+std::string ChunkCorrection::keepCoasting(const CorrectionMap& map, const std::string& digest,
+                                          const std::string& defect) {
+  if (!defect.empty()) return "the coasting map " + defect;
+  if (isKnown(map.layer) || (handed_layer_ && map.layer <= *handed_layer_)) return {};
+  const ToolpathLayer& layer = driven_.toolpath.layers[map.layer];
+  coasting_[map.layer] = {ledMap(map, layer, feederOf(settings_), settings_), digest};
+  return {};
+}
+
 void ChunkCorrection::tellMapOf(std::size_t layer, const std::string& digest) {
   Reported& reported = reported_[layer];
-  const bool is_trim = !reported.digest.empty();
+  const bool is_trim = !reported.digest.empty() && !reported.is_coasting;
   reported.digest = digest;
+  reported.is_coasting = false;
   if (is_trim) return;
   if (handed_layer_ == layer) {
     reported.held_from = handed_;
@@ -100,6 +113,14 @@ void ChunkCorrection::miss(std::size_t layer, const std::string& reason, double 
 }
 
 void ChunkCorrection::giveUp(std::size_t layer, double waited_s) {
+  const auto coasting = coasting_.find(layer);
+  if (coasting != coasting_.end() && reported_.count(layer) == 0) {
+    maps_[layer] = coasting->second.led;
+    late_ = layer;
+    reported_[layer] = {coasting->second.digest, {}, true};
+    layers_.push_back({driven_.id, coasting->second.digest, {layer, waited_s, {}, {}}});
+    return;
+  }
   char reason[48];
   std::snprintf(reason, sizeof reason, "none came within %.3g s", waited_s);
   miss(layer, reason, waited_s);
@@ -167,9 +188,14 @@ ChunkCorrection::Asked ChunkCorrection::askedAt(const JointState& state) const {
   return {here.amount, here.dz_mm};
 }
 
-/// The amount that is taken. From path to path of a map it may step, as the feeder rests in between.
+/// The amount that is taken. From path to path of a map it may step, as the feeder rests in between, and to
+/// what has no cells, which is as planned.
 double ChunkCorrection::followAmount(const JointState& state, double present, double wanted, double span_s) {
   const std::size_t layer = state.heading_for.layer;
+  if (!hasCells(driven_.toolpath.layers[layer].paths[state.heading_for.path])) {
+    if (late_ == layer) late_.reset();
+    return 0.0;
+  }
   if (isKnown(layer) && late_ != layer) return wanted;
   const double most = settings_.feeder_rate_s * span_s;
   const double taken = std::clamp(wanted, present - most, present + most);

@@ -36,8 +36,8 @@ struct DrivenLayer {
 /// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
 /// back along its tool axis by the height, through the machine's inverse kinematics on the branch that it is
 /// on. Times stay. What was handed over stays, too: heights go over from there at `kHeightSpeed` at most, so
-/// that joints do not jump, and amounts no faster than the feeder follows, to a map that comes late, and to 0
-/// where none is.
+/// that joints do not jump, and amounts no faster than the feeder follows, to a map that comes late, to the
+/// coasting map of a layer that was waited for in vain, and to 0 where none is.
 class ChunkCorrection {
  public:
   static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along its axis, by corrections [mm/s]
@@ -50,8 +50,8 @@ class ChunkCorrection {
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map, const std::string& digest);
 
-  /// The layer is handed over as planned, having been waited for. A map that comes later is used for what is
-  /// left of it.
+  /// The layer is handed over by its coasting map, or as planned, having been waited for. A map that comes
+  /// later is used for what is left of it.
   void giveUp(std::size_t layer, double waited_s);
   /// The plan is not gone on with: its first layer is reported as not deposited, with the reason.
   void refusePlan(const std::string& plan_id, const std::string& reason);
@@ -71,7 +71,8 @@ class ChunkCorrection {
   /// limits. Empty if there was none, or once it was taken.
   std::string takeRefusal() { return std::exchange(refusal_, {}); }
 
-  /// Since the last call, each change of what a layer is driven by: its map came, none came in time, all of
+  /// Since the last call, each change of what a layer is driven by: its map came, none came in time (with
+  /// the digest of its coasting map if it is driven by that), all of
   /// it was handed over without one, or a later map of it is not used. Later maps that are used change
   /// nothing: the layer is driven by its maps. Layers that the toolpath does not have are left out.
   std::vector<DrivenLayer> takeLayers() { return std::exchange(layers_, {}); }
@@ -87,11 +88,17 @@ class ChunkCorrection {
   struct Reported {
     std::string digest;
     std::optional<PlaceOnLayer> held_from;
+    bool is_coasting = false;  ///< whether it is driven by its coasting map
+  };
+  struct CoastingMap {
+    CorrectionMap led;
+    std::string digest;
   };
 
   void miss(std::size_t layer, const std::string& reason, double waited_s = 0.0);
   void missUnreported(std::size_t end);
   void tellMapOf(std::size_t layer, const std::string& digest);
+  std::string keepCoasting(const CorrectionMap& map, const std::string& digest, const std::string& defect);
   void noteHandedOver(const TrajectoryChunk& chunk);
   bool isTravel(const WaypointIndex& heading_for) const;
   const PathCorrection* find(const WaypointIndex& heading_for) const;
@@ -107,6 +114,7 @@ class ChunkCorrection {
   const KinematicModel& model_;
   Eigen::Isometry3d part_from_bed_;
   std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
+  std::map<std::size_t, CoastingMap> coasting_;     ///< by layer
   std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
   std::vector<std::pair<double, double>> amounts_;  ///< its times and amounts; on travels the last amount
   std::optional<std::size_t> late_;                 ///< layer that goes over to a map that came late

@@ -35,7 +35,7 @@ bool MapWait::look(double now_s, Motion motion) {
   if (!correction_.isKnown(awaited_)) {
     if (!rests_at_ || now_s - *rests_at_ < wait_s_) return false;
     notice_ = "the map of " + nameOf(awaited_) + " has not come within " + seconds(wait_s_) +
-              ": it is driven as planned (6116)";
+              ": it is driven by its coasting map, or as planned where none is there (6116)";
     correction_.giveUp(awaited_, now_s - *rests_at_);
   }
   enter(now_s);

@@ -167,7 +167,10 @@ bool LoopFeed::add(const lamina_msgs::AppliedCorrection& applied) {
   if (isPlanOf(applied.toolpath_id, toolpath_id) && isRefusalOfPlan(applied))
     return run_->refusePlan(applied.toolpath_id, applied.reason);
   if (applied.toolpath_id != toolpath_id) return false;
-  if (const auto missed = missedOf(applied))
+  const CorrectionMap* const coasting = run_->coastingMap(applied.layer);
+  if (coasting != nullptr && !applied.digest.empty() && applied.digest == toMessage(*coasting).digest)
+    run_->missMap({applied.layer, applied.waited, applied.reason, {}, true});
+  else if (const auto missed = missedOf(applied))
     run_->missMap(*missed);
   else
     run_->refuseTrim(applied.layer, applied.reason);

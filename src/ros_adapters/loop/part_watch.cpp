@@ -6,6 +6,10 @@ namespace lamina {
 
 using State = lamina_msgs::MachineState;
 
+bool isUnderWay(const State& machine) {
+  return machine.state == State::STARTING || machine.state == State::EXECUTE;
+}
+
 bool isEnd(const State& machine) {
   return machine.state == State::COMPLETE || machine.state == State::ABORTED ||
          machine.state == State::STOPPED;
@@ -17,8 +21,7 @@ bool PartWatch::see(const State& machine, std::size_t layer) {
     return false;
   }
   has_run_ = true;
-  const bool is_under_way = machine.state == State::STARTING || machine.state == State::EXECUTE;
-  if (!end_ || !is_under_way) return false;
+  if (!end_ || !isUnderWay(machine)) return false;
   // Where nothing of the machine says so, the nozzle may be at the next layer.
   const auto at = static_cast<std::int64_t>(machine.layer);
   const auto seen = static_cast<std::int64_t>(layer);

@@ -36,6 +36,8 @@ class PartWatch {
   std::optional<End> end_;  ///< of the job that ended last; none once one goes on
 };
 
+/// Whether a job is run by that state.
+bool isUnderWay(const lamina_msgs::MachineState& machine);
 /// Whether a job has ended by that state.
 bool isEnd(const lamina_msgs::MachineState& machine);
 

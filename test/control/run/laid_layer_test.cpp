@@ -82,6 +82,21 @@ TEST(LaidLayer, FadesOnCellsThatMissedItsMapAndGoesOverToIt) {
   EXPECT_EQ(layer.lastAmount(), 0.0);
 }
 
+/// A bead of 60 mm and the support behind it, which is as planned: nothing is left to fade.
+TEST(LaidLayer, CarriesNothingOverBehindSupport) {
+  ToolpathLayer beads = test::straightBeadLayer({0.0, 3.0}, 60.0);
+  beads.paths[2].role = PathRole::Support;
+  HeightLoop loop(LoopSettings{});
+  loop.beginLayer(layerCells(beads, 0, 1.5));
+  LaidLayer layer;
+  layer.decide(loop, LoopState::Off, LoopRunSettings{});
+  layer.trim(loop.cells(), std::vector<double>(40, 0.2), LoopSettings{});
+  EXPECT_EQ(layer.lastAmount(), 0.0);
+  layer.decide(loop, LoopState::Off, LoopRunSettings{});
+  layer.layMapFrom(loop.cells(), 40, LoopSettings{});
+  EXPECT_EQ(layer.correction().amount[0], 0.0);
+}
+
 TEST(LaidLayer, HasItsMapAgainIfItTurnsOutThatNoneMissedIt) {
   const HeightLoop loop = begunLoop();
   LaidLayer layer = layerOverAShiftedOne(loop);

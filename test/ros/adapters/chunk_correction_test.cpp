@@ -238,6 +238,23 @@ TEST(ChunkCorrection, FadesWhereALayerHasNoMap) {
     EXPECT_NEAR(amountOf(point), std::max(0.0, 0.25 - 0.5 * (point.time_s - 2.5)), 1e-9) << point.time_s;
 }
 
+/// Of the second layer the first centimetre is support, which is as planned, and so is the bead behind it.
+TEST(ChunkCorrection, LaysSupportAsPlannedWhereItFades) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  DrivenToolpath two = driven();
+  two.toolpath.layers.push_back(two.toolpath.layers.front());
+  const Path bead = two.toolpath.layers[1].paths[0];
+  two.toolpath.layers[1].paths.push_back(bead);
+  two.toolpath.layers[1].paths[0].role = PathRole::Support;
+  ChunkCorrection correction(two, LoopSettings(), *model);
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  correction.corrected(chunkOf(2.3, 2.5, *model));
+  TrajectoryChunk next = chunkOf(2.5, 3.5, *model);
+  for (JointState& point : next.points) point.heading_for = {1, point.time_s < 2.6 ? 0U : 1U, 1};
+  for (const JointState& point : correction.corrected(next).points)
+    EXPECT_NEAR(amountOf(point), 0.0, 1e-12) << point.time_s;
+}
+
 /// Two seconds of the layer were handed over when its map comes, which asks for 0.2 there and 0.1 a second
 /// more.
 TEST_F(CorrectedChunks, GoOverToAMapThatComesLate) {
@@ -249,6 +266,45 @@ TEST_F(CorrectedChunks, GoOverToAMapThatComesLate) {
     for (const JointState& point : chunk.points)
       EXPECT_NEAR(amountOf(point), std::min(0.5 * (point.time_s - 2.0), 0.1 * point.time_s), 1e-9)
           << point.time_s;
+}
+
+/// A quarter more at the end of the first layer; of the second a coasting map of 0.1, by which it goes on
+/// when it was waited for in vain, and after half a second its own of 0.2.
+TEST(ChunkCorrection, TakesTheCoastingMapOfALayerThatIsWaitedForInVain) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  DrivenToolpath two = driven();
+  two.toolpath.layers.push_back(two.toolpath.layers.front());
+  ChunkCorrection correction(two, LoopSettings(), *model);
+  const LayerCells cells = layerCells(two.toolpath.layers[1], 1, 0.5);
+  const auto even = [&](double amount, std::uint64_t sequence) {
+    return correctionMap(cells, {std::vector<double>(cells.size(), amount), {}, {}}, "beads", sequence);
+  };
+  EXPECT_EQ(correction.hear(risingMap(0.0), "first"), "");
+  EXPECT_EQ(correction.hear(even(0.1, 0), "coasting"), "");
+  EXPECT_FALSE(correction.isKnown(1)) << "its own is waited for";
+  correction.corrected(chunkOf(2.3, 2.5, *model));
+  correction.takeLayers();
+  correction.giveUp(1, 2.0);
+  const std::vector<DrivenLayer> coasts = correction.takeLayers();
+  ASSERT_EQ(coasts.size(), 1U);
+  EXPECT_EQ(coasts[0].digest, "coasting");
+  EXPECT_EQ(coasts[0].missed.reason, "");
+  EXPECT_EQ(coasts[0].missed.waited_s, 2.0);
+  const auto handOver = [&](double from_s, double to_s) {
+    TrajectoryChunk chunk = chunkOf(from_s, to_s, *model);
+    for (JointState& point : chunk.points) point.heading_for.layer = 1;
+    return correction.corrected(chunk);
+  };
+  for (const JointState& point : handOver(2.5, 3.0).points)
+    EXPECT_NEAR(amountOf(point), std::max(0.1, 0.25 - 0.5 * (point.time_s - 2.5)), 1e-9) << point.time_s;
+  EXPECT_EQ(correction.hear(even(0.2, 1), "own"), "");
+  const std::vector<DrivenLayer> own = correction.takeLayers();
+  ASSERT_EQ(own.size(), 1U) << "no trim, but the map that was waited for";
+  EXPECT_EQ(own[0].digest, "own");
+  ASSERT_TRUE(own[0].missed.held_from);
+  EXPECT_NEAR(own[0].missed.held_from->along_mm, 30.0, 1e-6);
+  for (const JointState& point : handOver(3.0, 3.5).points)
+    EXPECT_NEAR(amountOf(point), std::min(0.2, 0.1 + 0.5 * (point.time_s - 3.0)), 1e-9) << point.time_s;
 }
 
 /// Of two layers the first is handed over without a map, which then comes too late.

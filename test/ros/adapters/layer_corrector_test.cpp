@@ -313,6 +313,33 @@ TEST(LayerCorrector, AProgramThatGoesOnPushesForthWhatWasPulledBack) {
   EXPECT_THROW(settingsToGoOn({}, part, 1), InvalidInput);
 }
 
+/// The second layer ends with 0.3 more; of the third nothing but its coasting map of 0.1 comes, and its own
+/// one when it is on its way.
+TEST(LayerCorrector, TakesTheCoastingMapOfALayerThatIsWaitedForInVain) {
+  const test::ScratchFolder folder;
+  StreamCorrectionSettings settings = used();
+  settings.folder = folder.file("record");
+  LayerCorrector corrector(beadProgram(), programmed(), settings);
+  const CorrectionMap coasting = constantMap(2, 0.1, 0);
+  EXPECT_EQ(corrector.hear(constantMap(1, 0.3)), "");
+  EXPECT_EQ(corrector.hear(constantMap(1, 0.2, 0)), "") << "not needed, as its own is there";
+  EXPECT_EQ(corrector.hear(coasting), "");
+  EXPECT_FALSE(corrector.isKnown(2)) << "its own is waited for";
+  const std::string deposited = sent(corrector);
+  EXPECT_NE(corrector.hear(constantMap(2, 0.2)), "") << "the loop learns from the coasting map";
+  const std::vector<LayerDecision> decisions = corrector.decisions();
+  ASSERT_EQ(decisions.size(), 3U);
+  EXPECT_EQ(decisions[1].digest, digestOf(constantMap(1, 0.3)));
+  EXPECT_EQ(decisions[2].digest, digestOf(coasting));
+  EXPECT_TRUE(decisions[2].is_coasting);
+  EXPECT_EQ(decisions[2].waited_s, settings.loop.wait_s);
+  const CorrectionMap kept = readCorrectionMap(readFile(settings.folder + "/layer_2.csv"), "layer_2.csv");
+  EXPECT_NEAR(kept.paths[0].stations[0].amount, 0.275, 1e-12) << "0.5 /s at 10 mm/s, 0.5 mm on";
+  EXPECT_EQ(kept.paths[0].stations[20].amount, 0.1);
+  const PlannedCorrection again = test::recordedIn(settings.folder, settings.loop);
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, deposited) << "made again from the record";
+}
+
 TEST(LayerCorrector, ReadsItsSettings) {
   StreamCorrectionSettings settings;
   SettingsSchema schema;

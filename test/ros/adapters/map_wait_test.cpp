@@ -60,7 +60,7 @@ class MapWaits : public testing::Test {
     EXPECT_TRUE(feeder.isHeld());
   }
   /// Its map is there in time for the layer that comes next.
-  void hearMap(std::size_t layer) { EXPECT_EQ(correction.hear({"wall", layer, 0, {}}, "digest"), ""); }
+  void hearMap(std::size_t layer) { EXPECT_EQ(correction.hear({"wall", layer, 1, {}}, "digest"), ""); }
   std::size_t layerAtRest() const { return feeder.at(1e6).heading_for.layer; }
 
   TiltingGantry gantry;

@@ -30,7 +30,7 @@ class Controller {
     parameters.insert(parameters.begin(), calibrated.begin(), calibrated.end());
     ros::param::del("/height_controller");  // of the node before
     const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> on_map = [this](const auto& map) {
-      if (is_listening_) maps.push_back(*map);
+      if (is_listening_) (map->sequence == 0 ? coasting_maps : maps).push_back(*map);
     };
     const boost::function<void(const lamina_msgs::LoopFiguresConstPtr&)> on_layer =
         [this](const auto& layer) {
@@ -77,6 +77,7 @@ class Controller {
   bool isIn(std::uint8_t state) const { return !states.empty() && states.back().state == state; }
 
   std::vector<lamina_msgs::CorrectionMap> maps;
+  std::vector<lamina_msgs::CorrectionMap> coasting_maps;
   std::vector<lamina_msgs::LoopFigures> layers;
   std::vector<lamina_msgs::LoopState> states;
   std::vector<lamina_msgs::AlarmReport> alarms;

@@ -116,6 +116,15 @@ TEST(HeightController, ReplaysToTheSameBitsAtAnySpeedAndWithoutAMaster) {
   EXPECT_NE(expected[2], expected[3]);
   EXPECT_EQ(replayed(bag, wall.layers, "10"), expected);
   EXPECT_EQ(replayed(bag, wall.layers, "1"), expected);
+  {
+    const Controller controller;
+    const test::BagPlayer player(bag, {"--rate=10", "--delay=0.5"});
+    waitUntil([&] { return controller.layers.size() >= wall.layers; });
+    std::vector<std::string> coasting;
+    for (const auto& map : controller.coasting_maps) coasting.push_back(map.digest);
+    EXPECT_EQ(coasting.size(), wall.layers - 1);
+    EXPECT_EQ(coasting, std::vector<std::string>(offline["prints"][0]["coasting_digests"]));
+  }
   EXPECT_NE(readFile(folder.file("estimate/correction_3.csv")).find(expected[3]), std::string::npos);
   const std::vector<FiledMap> maps = readCorrectionFiles(folder.file("estimate"));
   EXPECT_EQ(maps.size(), wall.layers);

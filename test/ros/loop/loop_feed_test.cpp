@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/make_shared.hpp>
 
+#include "correction_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "ros/loop/wall_messages.hpp"
 #include "ros/set_time.hpp"
@@ -241,6 +242,30 @@ TEST(LoopFeed, CountsTheCloudsOfEachPrint) {
   EXPECT_EQ(counts.received, counts.placed + counts.without_frame + counts.without_offset + counts.malformed +
                                  counts.without_transform + counts.pushed_out + counts.waiting +
                                  counts.of_former_print);
+}
+
+/// By the digest of what a layer was deposited by the loop knows that this was its coasting map.
+TEST(LoopFeed, KnowsACoastingMapByTheDigestThatIsReported) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  const SensedWall printed = test::sensedWall(wall);
+  const test::SetTime time;
+  LoopFeed feed(wall.settings, 100.0);
+  feed.add(test::toolpathMessage(printed));
+  feed.addFixed(test::sensorMessage().transforms[0], "test");
+  ASSERT_NE(feed.run()->coastingMap(1), nullptr);
+  const std::string digest = toMessage(*feed.run()->coastingMap(1)).digest;
+  const std::string& id = printed.part.toolpath_id;
+  EXPECT_TRUE(feed.add(toMessage(MissedMap{1, 2.0, {}, {}, true}, id, digest)));
+  feedWall(feed, printed, time);
+  feed.finish();
+  const LoopNews news = feed.run()->takeNews();
+  ASSERT_GT(news.layers.size(), 2U);
+  EXPECT_EQ(news.layers[1].state, LoopState::Coasting);
+  ASSERT_FALSE(news.layers[1].alarms.empty());
+  EXPECT_EQ(news.layers[1].alarms[0].reason,
+            "layer 1 is deposited by its coasting map, not by its map: none came within 2 s");
+  EXPECT_EQ(news.layers[2].state, LoopState::Active);
 }
 
 TEST(LoopFeed, RefusesATimeOffsetThatIsNone) {

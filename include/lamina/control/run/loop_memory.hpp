@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/part_learning.hpp"
@@ -23,6 +24,7 @@ struct LoopMemory {
   double mean_shift_mm = 0.0;  ///< mean shift of the nozzle over the layer
   StoredHeights heights;       ///< of the layer's cells
   std::optional<RaisedAlarm> last_alarm = {};
+  std::vector<RaisedAlarm> standing = {};  ///< conditions that stand, each of another number
 };
 
 /// The state as YAML, which `memoryFromYaml` reads back to the same bits.

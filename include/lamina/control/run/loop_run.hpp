@@ -31,6 +31,7 @@
 
 namespace lamina {
 
+class CoastingMaps;
 class LaidLayer;
 class LayerTrim;
 
@@ -73,6 +74,7 @@ struct PrintPlan {
 /// comes no later than the map of the layer before which it holds.
 struct LoopNews {
   std::vector<RaisedAlarm> alarms;
+  std::vector<CorrectionMap> coasting_maps;  ///< of sequence 0; each comes with the map of the layer below
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
   std::optional<LoopMemory> memory;  ///< after the last of these layers, if `keeps_memory` is set
@@ -105,7 +107,9 @@ struct LoopCounts {
 /// Which cells are deposited follows from the progress of the nozzle along the toolpath. When the nozzle
 /// reaches the end of a layer, the layer is judged and the next one gets its map; the first layer gets its
 /// map at once. With `loop.trim` a layer under way gets further maps, of ascending sequence, for the cells
-/// that are not deposited yet.
+/// that are not deposited yet. The first map of a layer has sequence 1. With it the loop of a free process
+/// that corrects gives the next layer its coasting map, of sequence 0: by what was learnt of the growth by
+/// then, without the error.
 class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath; as `metalSplit` for its speeds; as `TaughtPart` for
@@ -148,7 +152,8 @@ class LoopRun {
   /// Those that arrive from now on are not compared with the earlier time stamps, so that none of them counts
   /// as late for that reason. All that was measured and learnt remains.
   void restartClock();
-  /// States that the machine deposits a layer, or the beginning of it, as planned instead of by its map. The
+  /// States that the machine deposits a layer, or the beginning of it, as planned or by its coasting map
+  /// instead of by its map. That the coasting map was used holds for the layer from then on. The
   /// estimate takes that into account if the layer is under way or still to come; for a layer that is done
   /// there is no effect. Alarm 6116 is raised if the whole layer is deposited as planned although its map has
   /// corrections, or the machine waited for the map. A later statement on a layer replaces an earlier one.
@@ -172,6 +177,14 @@ class LoopRun {
   void passAll();
   /// Ends the print: judges the layer under way if all of it is deposited.
   void finish();
+  /// States that the print has ended, or was cut off: until `goOn` nothing is expected of the sensors, and no
+  /// condition of theirs stands.
+  void interrupt();
+  /// States that a print that was cut off goes on.
+  void goOn() { is_interrupted_ = false; }
+
+  /// The coasting map of the layer under way or of the next one; null if it has none.
+  const CorrectionMap* coastingMap(std::size_t layer) const;
 
   /// What has resulted since the last call.
   LoopNews takeNews();
@@ -210,6 +223,7 @@ class LoopRun {
   void blockIfLump();
   void layAsPlanned();
   void layMapFrom(std::size_t cell);
+  void giveCoastingMap();
   void takeMissed();
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsDeposited(double settle_mm) const;
@@ -239,6 +253,7 @@ class LoopRun {
   /// Layer under way; none before the first and after the last one with cells.
   std::optional<std::size_t> layer_;
   std::unique_ptr<LaidLayer> laid_;          ///< never null; of the layer under way
+  std::unique_ptr<CoastingMaps> coasting_;   ///< never null
   std::unique_ptr<LayerTrim> trim_;          ///< of the layer under way; null if it is not trimmed
   std::uint64_t map_sequence_ = 0;           ///< sequence of the layer's last map
   std::optional<std::size_t> trim_refused_;  ///< layer of which a refused map was reported last
@@ -269,6 +284,7 @@ class LoopRun {
       Eigen::Vector3d::Zero();  ///< of the sensor of the cloud under way [mm/s, toolpath]
   StandingAlarms watched_;
   StandingConditions standing_;
+  bool is_interrupted_ = false;
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;
   LoopNews news_;

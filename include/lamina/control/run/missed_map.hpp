@@ -19,9 +19,11 @@ struct MissedMap {
   std::size_t layer = 0;
   double waited_s = 0.0;  ///< time for which the machine waited for the map before the layer
   std::string reason;     ///< in words; empty if the map did not arrive in time
-  /// The position from which on the map was applied after all. Without it the whole layer is deposited as
-  /// planned.
+  /// The position from which on the map was applied after all. Without it none of the layer is deposited by
+  /// its map.
   std::optional<PlaceOnLayer> held_from;
+  /// Whether what is deposited without its map is deposited by its coasting map, else as planned.
+  bool is_coasting = false;
 };
 
 /// The reason of alarm 6116 for such a map.

@@ -16,6 +16,11 @@ class StandingConditions {
   /// Adds an alarm that was raised, in the place of an earlier one of the same number; one whose cause does
   /// not last is not taken.
   void raise(const RaisedAlarm& alarm);
+  /// Takes over those that stood when the loop was last known. Of a sensor that was stuck, and of a time
+  /// offset, watches that have just begun know nothing yet: they stand until a layer is measured.
+  void resume(const std::vector<RaisedAlarm>& stood);
+  /// A layer was measured: from now on the watches know of all sensors.
+  void endResumption() { is_resumed_ = false; }
   /// Ends what no longer holds by the watches: all if the loop does not run, a stuck sensor that gives
   /// profiles again, a time offset for which the loop no longer coasts.
   void settle(const LoopStatus& status, const StandingAlarms& watched);
@@ -31,6 +36,7 @@ class StandingConditions {
 
  private:
   std::vector<RaisedAlarm> conditions_;
+  bool is_resumed_ = false;
 };
 
 }  // namespace lamina

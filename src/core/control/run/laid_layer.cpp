@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kShiftBack = 0.2;  // layers per layer, as the nozzle's height is followed
 
+/// What is deposited without cells is as planned.
+double lastOf(const LayerCells& cells, const std::vector<double>& amount) {
+  return cells.ends_with_other ? 0.0 : amount.back();
+}
+
 }  // namespace
 
 void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
@@ -24,6 +29,7 @@ void LaidLayer::carryOver(double last_amount, double mean_shift_mm) {
 
 void LaidLayer::decide(const HeightLoop& loop, LoopState state, const LoopRunSettings& settings) {
   state_ = state;
+  coasting_.reset();
   is_map_missed_ = is_wholly_missed_ = false;
   first_amount_ = last_amount_;
   laid_ = wanted(loop, state, settings.loop);
@@ -45,25 +51,29 @@ void LaidLayer::trim(const LayerCells& cells, std::vector<double> amount, const 
   realise(cells, settings);
 }
 
-void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings) {
+void LaidLayer::layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings,
+                           Without without) {
   is_map_missed_ = cell > 0;
   is_wholly_missed_ = cell == cells.size();
   laid_ = mapped_.correction;
   shift_mm_ = mapped_.shift_mm;
   state_ = mapped_.state;
+  const Mapped planned = {{std::vector<double>(cells.size(), 0.0), 0.0},
+                          std::vector<double>(cells.size(), 0.0),
+                          LoopState::Coasting};
+  const Mapped& other = without == Without::OwnMap && coasting_ ? *coasting_ : planned;
   if (is_map_missed_) {
     const std::vector<double> before(cells.size(), first_amount_);
-    const std::vector<double> planned(cells.size(), 0.0);
-    const std::vector<double> faded = fadedCorrection(cells, before, planned, 0, settings);
+    const std::vector<double> faded = fadedCorrection(cells, before, other.correction.amount, 0, settings);
     laid_.amount = fadedCorrection(cells, faded, mapped_.correction.amount, cell, settings);
   }
-  std::fill_n(shift_mm_.begin(), cell, 0.0);
-  if (cell == laid_.amount.size()) {
-    laid_.limited_share = 0.0;
+  std::copy_n(other.shift_mm.begin(), cell, shift_mm_.begin());
+  if (is_wholly_missed_) {
+    laid_.limited_share = other.correction.limited_share;
     state_ = LoopState::Coasting;
   }
   mean_shift_mm_ = meanOverCells(cells, shift_mm_);
-  last_amount_ = laid_.amount.back();
+  last_amount_ = lastOf(cells, laid_.amount);
 }
 
 bool LaidLayer::isAsPlanned() const { return isAllZero(laid_.amount) && isAllZero(shift_mm_); }
@@ -108,7 +118,7 @@ void LaidLayer::realise(const LayerCells& cells, const LoopSettings& settings) {
   laid_ = std::move(result.laid);
   told_ = std::move(result.told);
   mapped_ = {laid_, shift_mm_, state_};
-  last_amount_ = laid_.amount.back();
+  last_amount_ = lastOf(cells, laid_.amount);
 }
 
 }  // namespace lamina

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,13 @@ namespace lamina {
 class LaidLayer {
  public:
   /// Sets what carries over to the next layer.
-  /// @param last_amount    relative amount of the last cell
+  /// @param last_amount    relative amount by which the layer ends
   /// @param mean_shift_mm  mean shift of the nozzle along the growth direction
   void carryOver(double last_amount, double mean_shift_mm);
+
+  /// States by what of the layer is deposited that has no map in time, once it is decided.
+  /// @param coasting  that layer as it was decided when the one before began
+  void fallBackOn(const LaidLayer& coasting) { coasting_ = coasting.mapped_; }
 
   /// Decides the layer that the loop has begun.
   /// @param state  of the loop for this layer
@@ -33,10 +38,16 @@ class LaidLayer {
   /// Replaces the amounts, in the map too.
   /// @param amount  relative, one for each cell
   void trim(const LayerCells& cells, std::vector<double> amount, const LoopSettings& settings);
-  /// Lays the first cells without a map, on which the last amount of the layer before fades to 0, and the
-  /// others by the last map, no faster than the feeder follows.
+  /// By what cells are deposited that go to the machine before their map.
+  enum class Without : std::uint8_t {
+    Map,    ///< as planned
+    OwnMap  ///< by the coasting map, if the layer has one
+  };
+  /// Lays the first cells without the last map, on which the last amount of the layer before fades to 0 or to
+  /// the amounts of the coasting map, and the others by that map, no faster than the feeder follows.
   /// @param cell  number of cells that the machine deposited without the map; 0 if it has all of them
-  void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings);
+  void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings,
+                  Without without = Without::Map);
 
   /// Whether the map changes nothing of the plan on any cell that is laid by it.
   bool isAsPlanned() const;
@@ -50,7 +61,7 @@ class LaidLayer {
   /// Shift of the nozzle along the growth direction by cell [mm]; empty before the first layer.
   const std::vector<double>& shift() const { return shift_mm_; }
   double meanShift() const { return mean_shift_mm_; }  ///< [mm]
-  double lastAmount() const { return last_amount_; }   ///< relative amount of the last cell
+  double lastAmount() const { return last_amount_; }   ///< relative amount by which the layer ends
   LoopState state() const { return state_; }           ///< of the loop as it shows in the layer
   /// The last map, as the machine gets it.
   CorrectionMap map(const LayerCells& cells, const std::string& toolpath_id, std::uint64_t sequence) const;
@@ -67,7 +78,8 @@ class LaidLayer {
     LoopState state = LoopState::Off;
   };
   Mapped mapped_;
-  CellCorrections told_;  ///< for the machine, of the last map
+  std::optional<Mapped> coasting_;  ///< the same of the coasting map
+  CellCorrections told_;            ///< for the machine, of the last map
   LayerCorrection laid_;
   std::vector<double> shift_mm_;
   LoopState state_ = LoopState::Off;

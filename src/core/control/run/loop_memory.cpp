@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/control/run/loop_memory.hpp"
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -17,6 +18,11 @@ namespace {
 constexpr Bounds kAnyNumber{-1e9, 1e9};
 constexpr Bounds kAnyCount{0.0, 1e9};
 constexpr int kMost = 1000000000;
+constexpr std::array<std::pair<LoopAlarm, const char*>, 4> kConditions = {
+    {{LoopAlarm::Silent, "standing.silent"},
+     {LoopAlarm::NoTransform, "standing.no_transform"},
+     {LoopAlarm::Stuck, "standing.stuck"},
+     {LoopAlarm::TimeOffset, "standing.time_offset"}}};
 
 /// Whole numbers and lists as a schema binds them.
 struct StatedMemory {
@@ -26,6 +32,7 @@ struct StatedMemory {
   int layers_begun = 0;
   int clouds = 0;
   RaisedAlarm alarm{};                                                           ///< the last one
+  std::array<RaisedAlarm, kConditions.size()> standing{};                        ///< without a reason: none
   int alarm_number = 0;                                                          ///< 0: there was none
   std::vector<std::vector<double>> cells = std::vector<std::vector<double>>(8);  ///< of estimates, by kind
 };
@@ -59,9 +66,8 @@ void describeStatus(SettingsSchema& schema, StatedMemory& stated) {
   schema.number("status.rmse_mm", status.rmse_mm, kAnyNumber, "Of that layer.");
 }
 
-void describeAlarm(SettingsSchema& schema, StatedMemory& stated) {
-  schema.integer("alarm.number", stated.alarm_number, {0.0, 65535.0}, "Of the last alarm; 0 for none.");
-  schema.choice("alarm.reaction", stated.alarm.reaction,
+void describeReaction(SettingsSchema& schema, const std::string& key, LoopReaction& reaction) {
+  schema.choice(key, reaction,
                 {{"warn", LoopReaction::Warn},
                  {"leave_out", LoopReaction::LeaveOut},
                  {"coast", LoopReaction::Coast},
@@ -69,7 +75,17 @@ void describeAlarm(SettingsSchema& schema, StatedMemory& stated) {
                  {"replan", LoopReaction::Replan},
                  {"hold", LoopReaction::Hold}},
                 "To it.");
+}
+
+void describeAlarms(SettingsSchema& schema, StatedMemory& stated) {
+  schema.integer("alarm.number", stated.alarm_number, {0.0, 65535.0}, "Of the last alarm; 0 for none.");
+  describeReaction(schema, "alarm.reaction", stated.alarm.reaction);
   schema.text("alarm.reason", stated.alarm.reason, "What it said.");
+  for (std::size_t i = 0; i < kConditions.size(); ++i) {
+    const std::string key = kConditions[i].second;
+    describeReaction(schema, key + "_reaction", stated.standing[i].reaction);
+    schema.text(key, stated.standing[i].reason, "What it says; empty if it does not stand.");
+  }
 }
 
 /// The lists of the cells' estimates, in the order of `StatedMemory::cells`.
@@ -96,7 +112,7 @@ void describe(SettingsSchema& schema, StatedMemory& stated) {
   schema.text("print.material", memory.identity.material, "Material that is deposited.");
   schema.integer("print.layer", stated.layer, {0.0, kMost}, "Layer that was done last.");
   describeStatus(schema, stated);
-  describeAlarm(schema, stated);
+  describeAlarms(schema, stated);
   schema.number("loop.gain_at_check", memory.gain_at_check, kAnyNumber, "At the last check of stability.");
   schema.number("loop.last_amount", memory.last_amount, kAnyNumber, "Correction where the layer ended.");
   schema.number("loop.mean_shift_mm", memory.mean_shift_mm, kAnyNumber, "Of the nozzle's height.");
@@ -117,6 +133,9 @@ StatedMemory statedFrom(const LoopMemory& memory) {
     stated.alarm = *memory.last_alarm;
     stated.alarm_number = static_cast<int>(memory.last_alarm->alarm);
   }
+  for (const RaisedAlarm& alarm : memory.standing)
+    for (std::size_t i = 0; i < kConditions.size(); ++i)
+      if (kConditions[i].first == alarm.alarm) stated.standing[i] = alarm;
   for (const StoredEstimate& cell : memory.heights.estimates) {
     const double values[] = {cell.error_mm,     cell.variance_mm2, cell.commanded_mm,   cell.base_mm,
                              cell.contested_mm, cell.gain,         1.0 * cell.contests, 1.0 * cell.flags};
@@ -160,6 +179,12 @@ LoopMemory memoryOf(const StatedMemory& stated) {
   if (stated.alarm_number > 0) {
     memory.last_alarm = stated.alarm;
     memory.last_alarm->alarm = static_cast<LoopAlarm>(stated.alarm_number);
+  }
+  memory.standing.clear();
+  for (std::size_t i = 0; i < kConditions.size(); ++i) {
+    const RaisedAlarm& alarm = stated.standing[i];
+    if (!alarm.reason.empty())
+      memory.standing.push_back({kConditions[i].first, alarm.reaction, alarm.reason});
   }
   memory.heights.estimates.clear();
   for (std::size_t i = 0; i < stated.cells[0].size(); ++i)

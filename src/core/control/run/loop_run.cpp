@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "control/run/cell_corrections.hpp"
+#include "control/run/coasting_maps.hpp"
 #include "control/run/laid_layer.hpp"
 #include "control/run/layer_ground.hpp"
 #include "control/run/layer_trim.hpp"
@@ -30,6 +31,7 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       stability_(checkStart(part_.toolpath, part_.machine, settings)),
       atlas_(settings.sight.window_layers),
       laid_(std::make_unique<LaidLayer>()),
+      coasting_(std::make_unique<CoastingMaps>()),
       pose_watches_(settings.loop.silence_s) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
@@ -58,7 +60,7 @@ void LoopRun::resume(const LoopMemory& memory) {
                 : afterRequest(settings_.request, stability_);
   gain_at_check_ = memory.gain_at_check;
   last_alarm_ = memory.last_alarm;
-  if (last_alarm_ && status_.state == LoopState::Coasting) standing_.raise(*last_alarm_);
+  if (isRunning(status_.state)) standing_.resume(memory.standing);
   laid_->carryOver(memory.last_amount, memory.mean_shift_mm);
   news_ = {};
   progress_.resume(memory.layer + 1);
@@ -68,8 +70,8 @@ void LoopRun::resume(const LoopMemory& memory) {
 }
 
 LoopMemory LoopRun::memory(std::size_t layer) const {
-  return {identity(),         layer,           status_,    gain_at_check_, laid_->lastAmount(),
-          laid_->meanShift(), loop_->stored(), last_alarm_};
+  return {identity(),         layer,           status_,     gain_at_check_, laid_->lastAmount(),
+          laid_->meanShift(), loop_->stored(), last_alarm_, standing_.all()};
 }
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
@@ -137,6 +139,12 @@ void LoopRun::passAll() {
 void LoopRun::finish() {
   passAll();
   if (layer_ && loop_->cells().size() > 0 && cellsDeposited(0.0) == loop_->cells().size()) endLayer();
+  interrupt();
+}
+
+void LoopRun::interrupt() {
+  is_interrupted_ = true;
+  watched_ = {};
   standing_.endAll();
 }
 
@@ -162,12 +170,16 @@ void LoopRun::restartClock() {
 void LoopRun::missMap(const MissedMap& missed) {
   if (!layer_ || missed.layer < *layer_ || missed.layer >= part_.toolpath.layers.size()) return;
   if (missed.layer > *layer_) {
-    missed_[missed.layer] = missed;
+    MissedMap& told = missed_[missed.layer];
+    const bool is_coasting = told.is_coasting || missed.is_coasting;
+    told = missed;
+    told.is_coasting = is_coasting;
     return;
   }
+  if (missed.is_coasting) coasting_->use();
   if (missed.held_from)
     return layMapFrom(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
-  const bool is_otherwise = !laid_->isWhollyMissed() && !laid_->isAsPlanned();
+  const bool is_otherwise = !laid_->isWhollyMissed() && (missed.is_coasting || !laid_->isAsPlanned());
   if (is_otherwise || missed.waited_s > 0.0)
     take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
   if (!is_otherwise) return;
@@ -201,6 +213,7 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   trim_refused_.reset();
   plan_.reset();
   plan_loop_.reset();
+  *coasting_ = {};
   taught_.abandon();
   beginLayer(0);
   return true;
@@ -224,7 +237,8 @@ bool LoopRun::refusePlan(const std::string& toolpath_id, const std::string& reas
 void LoopRun::layMapFrom(std::size_t cell) {
   if (cell == 0 && !laid_->isMapMissed()) return;
   trim_.reset();
-  laid_->layMapFrom(loop_->cells(), cell, settings_.loop);
+  laid_->layMapFrom(loop_->cells(), cell, settings_.loop,
+                    coasting_->isUsed() ? LaidLayer::Without::OwnMap : LaidLayer::Without::Map);
   loop_->relay(laid_->correction());
 }
 
@@ -364,6 +378,7 @@ void LoopRun::use(const std::string& sensor, const LayerReading& reading) {
 }
 
 void LoopRun::watch() {
+  if (is_interrupted_) return;
   SensorWatch seen;
   // After the last layer nothing is to be seen any more.
   const bool is_blind = layer_ && pose_watches_.isWithoutPose(events_.latestTip());
@@ -397,7 +412,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   for (; layer < part_.toolpath.layers.size(); ++layer) {
     cells = layerCells(part_.toolpath.layers[layer], layer, settings_.cell_mm, normal_);
     if (cells.size() > 0) break;
-    news_.maps.push_back({part_.toolpath_id, layer, 0, {}});
+    news_.maps.push_back({part_.toolpath_id, layer, 1, {}});
   }
   if (cells.size() == 0) return;
   layer_ = layer;
@@ -416,11 +431,12 @@ void LoopRun::beginLayer(std::size_t layer) {
   fallen_.reset();
   ground_ = groundOf(loop_->cells(), normal_);
   laid_->decide(*loop_, status_.state, settings_);
+  coasting_->begin(layer, *laid_);
   if (is_catching_up_) layAsPlanned();
   std::vector<double> nozzle_error = laid_->shift();
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_->correction(), nozzle_error);
-  map_sequence_ = 0;
+  map_sequence_ = 1;
   trim_.reset();
   if (status_.state == LoopState::Active && !is_catching_up_)
     if (auto trim = layerTrim(loop_->cells(), loop_->estimates(), laid_->correction().amount, settings_.loop))
@@ -428,9 +444,24 @@ void LoopRun::beginLayer(std::size_t layer) {
   atlas_.add(shared);
   atlas_.setDeposited(layer, 0);
   atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
+  giveCoastingMap();
   publishMap();
   takeMissed();
 }
+
+void LoopRun::giveCoastingMap() {
+  const bool gives = isCorrecting(status_.state) && settings_.loop.process == LoopProcess::Free;
+  std::size_t next = *layer_ + 1;
+  LayerCells cells;
+  for (; gives && next < part_.toolpath.layers.size() && cells.size() == 0; ++next)
+    cells = layerCells(part_.toolpath.layers[next], next, settings_.cell_mm, normal_);
+  if (cells.size() == 0) return;
+  HeightLoop loop = *loop_;
+  loop.beginLayer(std::move(cells), taught_.amountsOf(next - 1));
+  news_.coasting_maps.push_back(coasting_->give(loop, *laid_, part_.toolpath_id, settings_));
+}
+
+const CorrectionMap* LoopRun::coastingMap(std::size_t layer) const { return coasting_->of(layer); }
 
 /// What the machine reported of this layer before the loop came to it.
 void LoopRun::takeMissed() {
@@ -475,7 +506,10 @@ void LoopRun::endLayer() {
   below_ = loop_->estimates();
   below_layer_ = *layer_;
   if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
-  if (figures.is_measured) standing_.settleSight(status_, watched_);
+  if (figures.is_measured) {
+    standing_.endResumption();
+    standing_.settleSight(status_, watched_);
+  }
   checkAgain(figures);
   planAnew(figures);
   news_.layers.push_back(outcomeOf(figures));

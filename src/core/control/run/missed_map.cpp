@@ -7,7 +7,8 @@
 namespace lamina {
 
 std::string reasonOf(const MissedMap& missed) {
-  return "layer " + std::to_string(missed.layer) + " is deposited as planned, not by its map: " +
+  return "layer " + std::to_string(missed.layer) + " is deposited " +
+         (missed.is_coasting ? "by its coasting map" : "as planned") + ", not by its map: " +
          (missed.reason.empty() ? "none came within " + significantText(missed.waited_s, 3) + " s"
                                 : missed.reason);
 }

@@ -12,8 +12,14 @@ void StandingConditions::raise(const RaisedAlarm& alarm) {
   conditions_.push_back(alarm);
 }
 
+void StandingConditions::resume(const std::vector<RaisedAlarm>& stood) {
+  for (const RaisedAlarm& alarm : stood) raise(alarm);
+  is_resumed_ = true;
+}
+
 void StandingConditions::settle(const LoopStatus& status, const StandingAlarms& watched) {
   if (!isRunning(status.state)) return endAll();
+  if (is_resumed_) return;
   if (!watched.isUp(LoopAlarm::Stuck)) end(LoopAlarm::Stuck);
   if (!watched.isUp(LoopAlarm::TimeOffset) && status.coasting_for != CoastingFor::TimeOffset)
     end(LoopAlarm::TimeOffset);

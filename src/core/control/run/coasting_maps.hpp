@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "control/run/laid_layer.hpp"
+#include "lamina/control/correction_map.hpp"
+#include "lamina/control/height_loop.hpp"
+#include "lamina/control/run/loop_run_settings.hpp"
+
+namespace lamina {
+
+/// The coasting maps of the layer under way and of the next one: what a machine deposits a layer by whose own
+/// map does not come in time.
+class CoastingMaps {
+ public:
+  /// Gives the next layer its coasting map, by what is learnt of the growth and without the error: what the
+  /// layer under way will show may come too late.
+  /// @param next  the loop at the beginning of the next layer, as if nothing was seen of the one under way
+  /// @param laid  the layer under way
+  const CorrectionMap& give(const HeightLoop& next, const LaidLayer& laid, const std::string& toolpath_id,
+                            const LoopRunSettings& settings);
+  /// Begins a layer, whose coasting map, if it has one, is what it falls back on.
+  void begin(std::size_t layer, LaidLayer& laid);
+
+  /// States that the machine has begun the layer under way by its coasting map.
+  void use() { is_used_ = true; }
+  bool isUsed() const { return is_used_; }
+
+  /// Null if the layer has none, or is done.
+  const CorrectionMap* of(std::size_t layer) const;
+
+ private:
+  std::optional<LaidLayer> next_;              ///< as it is if its coasting map is applied
+  std::map<std::size_t, CorrectionMap> maps_;  ///< by layer
+  bool is_used_ = false;
+};
+
+}  // namespace lamina
