@@ -18,6 +18,7 @@
 #include "job/laps.hpp"
 #include "job/modes/automatic_planning.hpp"
 #include "job/modes/part_slicing.hpp"
+#include "job/passages/passage_check.hpp"
 #include "job/run_changes.hpp"
 #include "job/settings_of_language.hpp"
 #include "job/slice_run.hpp"
@@ -125,6 +126,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   }
   const PlacedToolpath placed{joint_program->toolpath, frame,
                               ProgramJoints{*joint_program->model, joint_program->joints}};
+  if (isRobotFile(job.output)) requireClearPassages(job.output, placed, program, job.settings);
   if (programRunner(job.output) == ProgramRunner::OtherRobot) {
     const RobotWriting writing = writeRobotFiles(job.output, placed, program.robot);
     std::vector<std::string> notes = olderFileNotes(job.output, writing.files);

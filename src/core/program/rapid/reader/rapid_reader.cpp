@@ -167,20 +167,29 @@ class RapidRun {
     RapidRunning running;
     running.toolpath = std::move(assembled.toolpath);
     for (const AssembledStation& station : assembled.stations) {
-      running.stations.push_back({station.at, moves_[station.move.index]});
+      running.stations.push_back({station.at, moves_[station.move.index], station.move.index});
       running.stations.back().move.target.point = station.move.point;
     }
-    running.start = start_;
+    running.ways = std::move(ways_);
     return running;
   }
 
-  /// Nothing of the part: joints from which its first move sets out are kept.
+  /// Nothing of the part.
   void callPassage(const RapidProcedure& procedure) {
     for (const RapidStatement& each : procedure.statements) {
       if (process_ == ProcessState::On) refuse(procedure, each.line, "the process is on; expected it off");
       if (each.action != RapidAction::MoveJoints && each.action != RapidAction::Move)
         refuse(procedure, each.line, "found another statement than a move; expected an approach or retract");
-      if (each.action == RapidAction::MoveJoints && run_.empty()) start_ = source_.joint_moves[each.index];
+      RapidWay way;
+      way.before = moves_.size();
+      way.line = each.line;
+      if (each.action == RapidAction::MoveJoints) {
+        way.joints = source_.joint_moves[each.index];
+      } else {
+        way.move = source_.moves[each.index];
+        way.move.is_heeded = is_heeded_;
+      }
+      ways_.push_back(std::move(way));
     }
   }
 
@@ -204,7 +213,7 @@ class RapidRun {
   std::vector<RapidMove> moves_;  ///< in the order in which they are run
   ProcessState process_ = ProcessState::Off;
   bool is_heeded_ = true;  ///< as a controller starts
-  std::optional<RapidJoints> start_;
+  std::vector<RapidWay> ways_;
   std::vector<const RapidProcedure*> run_;
 };
 
