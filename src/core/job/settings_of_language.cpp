@@ -36,7 +36,9 @@ const std::vector<std::pair<std::string, LanguageSet>>& usedBy() {
 }
 
 bool isUsed(const std::string& key, const std::optional<RobotLanguage>& language) {
-  if (!language) return key.rfind("rapid.", 0) == 0;
+  if (!language)
+    return key.rfind("rapid.", 0) == 0 || key == "robot_program.tool_mass_kg" ||
+           key == "robot_program.tool_centre_of_gravity_mm";
   const auto found = std::find_if(usedBy().begin(), usedBy().end(),
                                   [&](const auto& each) { return key.rfind(each.first, 0) == 0; });
   if (found == usedBy().end()) return false;
