@@ -59,6 +59,18 @@ std::vector<std::string> changedKeys(Settings settings) {
   return keys;
 }
 
+/// Temperatures that are asked for: no robot's program sets one, or waits for one.
+std::vector<std::string> temperatureKeys(const ProgramSettings& program) {
+  const ProgramSettings plain;
+  const auto isAsked = [](double value, double by_default) { return value > 0.0 && value != by_default; };
+  std::vector<std::string> keys;
+  if (isAsked(program.nozzle_temperature_c, plain.nozzle_temperature_c))
+    keys.emplace_back("program.nozzle_temperature_c");
+  if (isAsked(program.bed_temperature_c, plain.bed_temperature_c))
+    keys.emplace_back("program.bed_temperature_c");
+  return keys;
+}
+
 /// What may stand in place of a setting of another language.
 struct Misplaced {
   const char* expected;  ///< value of that setting by which nothing is asked for
@@ -107,6 +119,7 @@ std::string noteOnOtherLanguages(const SliceJob& job) {
   keys.erase(
       std::remove_if(keys.begin(), keys.end(), [&](const std::string& key) { return isUsed(key, language); }),
       keys.end());
+  for (std::string& key : temperatureKeys(job.settings.program)) keys.push_back(std::move(key));
   if (keys.empty()) return "";
   return listed(keys) + (keys.size() == 1 ? " has" : " have") + " no effect on a program in " +
          robotLanguageName(job.output);
