@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
-#include "lamina/base/input_file.hpp"
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "support/scratch_folder.hpp"
@@ -29,7 +30,7 @@ class RapidLoad : public testing::Test {
 
   std::string sliced() {
     notes_ = runSliceJob(job_, nobody_).summary.notes;
-    return readTextFile(job_.output);
+    return readFile(job_.output);
   }
 
   bool isNoted(const std::string& text) const {

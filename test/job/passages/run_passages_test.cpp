@@ -13,7 +13,6 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/base/input_file.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/program_file.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lamina/base/random.hpp"
+#include "lamina/geometry/vector.hpp"
 
 namespace lamina {
 namespace {
