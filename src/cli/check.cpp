@@ -84,6 +84,7 @@ void printJson(const Checked& checked, const std::string& machine) {
     json["time_s"] = checked.time.total_s;
     json["slow_bead_share"] = checked.time.slow_bead_share;
   }
+  json["unknown_way"] = check.unknown_way;
   json["singular_bead_share"] = checked.singular.share();
   json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
@@ -126,6 +127,7 @@ void printText(const Checked& checked, const std::string& machine) {
   std::printf("rewinds     %zu\n", check.rewinds);
   for (const auto& [one, other] : check.ignored)
     std::printf("unchecked   %s against %s\n", one.c_str(), other.c_str());
+  if (!check.unknown_way.empty()) std::printf("unchecked   %s\n", check.unknown_way.c_str());
   printSingular(checked);
   if (checked.timed)
     std::printf("print time  %s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",

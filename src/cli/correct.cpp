@@ -138,7 +138,7 @@ StatedEquipment writtenEquipment(const CorrectArguments& arguments, const Correc
 std::string suffixOfFile(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 /// A robot's process runs at a steady rate: the amount is deposited by the time on the way.
-void correctRobot(const CorrectArguments& arguments, const CorrectSettings& settings, OutputFormat format) {
+void correctRobot(const CorrectArguments& arguments, CorrectSettings settings, OutputFormat format) {
   constexpr double kReadTolerance = 2e-3;  // mm: positions have three decimals at least
   const std::string language = robotLanguageName(arguments.program);
   if (suffixOfFile(arguments.output) != suffixOfFile(arguments.program))
@@ -154,6 +154,9 @@ void correctRobot(const CorrectArguments& arguments, const CorrectSettings& sett
   const Toolpath corrected =
       correctedToolpath(planned, ledMaps(correction), CorrectionWriting{}.split_change);
   const std::string keys = isRapidFile(arguments.program) ? "rapid.*" : "robot_program.*";
+  // An axis that the program does not use is none to give a value.
+  if (read.equipment.external.empty() && settings.rapid.external_axis == 0.0)
+    settings.rapid.has_external_axis = false;
   requireSameEquipment(read.equipment, writtenEquipment(arguments, settings, corrected), arguments.program,
                        keys);
   writeCorrected(arguments, settings, corrected);

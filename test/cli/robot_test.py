@@ -45,6 +45,9 @@ class Robot(unittest.TestCase):
             self.assertAlmostEqual(report["joints"][0]["speed"], 120.0)
             self.assertTrue(os.path.exists(written))
             self.assertEqual(report["built_in"], [])
+            trial = json.loads(lamina("robot", urdf, "--poses", "50", "--json").stdout)["inverse"]
+            self.assertEqual((trial["poses"], trial["reached"], trial["ends"]), (50, 50, True))
+            self.assertIn("inverse    50 of 50 poses reached", lamina("robot", urdf, "--poses", "50").stdout)
             self.lists_what_is_built_in(urdf)
 
     def lists_what_is_built_in(self, urdf):

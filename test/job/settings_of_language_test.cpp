@@ -60,6 +60,22 @@ TEST(SettingsOfLanguage, AnArcAskedOfAnotherLanguageIsRefused) {
             std::string::npos);
 }
 
+TEST(SettingsOfLanguage, TemperaturesOfRobotsAreNamed) {
+  SliceJob job;
+  job.settings.program.nozzle_temperature_c = 230.0;
+  for (const char* output : {"a.mod", "a.src", "a.script", "a.ls", "a.jbi"}) {
+    job.output = output;
+    EXPECT_EQ(noteOnOtherLanguages(job).find("program.nozzle_temperature_c has no effect on a program in "),
+              0U)
+        << output;
+  }
+  job.output = "a.gcode";
+  EXPECT_EQ(noteOnOtherLanguages(job), "");
+  job.output = "a.src";
+  job.settings.program.nozzle_temperature_c = 0.0;
+  EXPECT_EQ(noteOnOtherLanguages(job), "") << "a heater that is left alone";
+}
+
 TEST(SettingsOfLanguage, OthersAreNamed) {
   SliceJob job;
   for (const char* output : {"a.mod", "a.src", "a.ls", "a.csv"}) {

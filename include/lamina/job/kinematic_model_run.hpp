@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/job/passages/run_passages.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/joint_path/divided_joint_path.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
@@ -27,6 +28,8 @@ struct KinematicModelRun {
   JointPath path;                                                   ///< of the divided toolpath
   /// Line of the program that states the joints, for each waypoint of `path`; empty if none does.
   std::vector<std::size_t> lines;
+  std::vector<RunPassage> passages = {};  ///< ways beside the part, which no time is counted for
+  std::string unknown_way = {};           ///< what of the way to the part is not known; empty for nothing
 
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
@@ -71,6 +74,11 @@ KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& ex
 /// (`alongStraightMoves`).
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings);
+
+/// The same program for its ways beside the part alone: the joints along the part are taken as they are, and
+/// not led in between.
+KinematicModelRun passagesAsStated(const KinematicModel& model, StatedMotion motion,
+                                   const JointPathSettings& settings);
 
 /// Checks that the path has no faults.
 /// @throws Unreachable otherwise, with their number and the first of them

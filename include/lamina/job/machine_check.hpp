@@ -38,17 +38,27 @@ struct MachineCheck {
   /// description exempts them, or they are built into each other (`checkedBodies`).
   std::vector<std::pair<std::string, std::string>> ignored;
 
+  /// What of the way to the part is not known, in a sentence; empty for nothing.
+  std::string unknown_way = {};
+
   bool isClear() const { return faults.empty() && collisions.empty(); }
 };
 
-/// Checks a run: lists its faults, and where links collide with the bed, the part or each other.
+/// Checks a run: lists its faults, and where links collide with the bed, the part or each other, along the
+/// part and on the ways to it, away from it and between its files. What is found on such a way is listed with
+/// the waypoint that it leads to, or with the last, once for each line of the program.
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
 MachineCheck checkRun(const KinematicModelRun& run, const CheckedMachine& machine,
                       const ClearanceSettings& settings, Progress& progress);
 
-/// The same for a single check: what the machine is checked with is made for it, and not kept.
+/// Checks the ways of a run beside the part alone.
+/// @throws as `checkJointPassages`
+MachineCheck checkPassages(const KinematicModelRun& run, const CheckedMachine& machine,
+                           const ClearanceSettings& settings);
+
+/// The same as `checkRun` for a single check: what the machine is checked with is made for it, and not kept.
 MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
                       const ClearanceSettings& settings, Progress& progress);
 

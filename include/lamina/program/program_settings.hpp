@@ -56,4 +56,8 @@ struct ProgramSettings {
 /// Adds the keys program.* and drop_program.*.
 void describe(SettingsSchema& schema, ProgramSettings& settings);
 
+/// The settings of RAPID, with the load of `robot_program.*` where they state none.
+/// @throws InvalidConfig if a mass has no centre
+RapidSettings rapidWithLoad(const ProgramSettings& program);
+
 }  // namespace lamina

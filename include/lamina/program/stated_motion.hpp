@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/kinematics/joint_path/joint_path.hpp"
@@ -16,6 +17,23 @@ namespace lamina {
 enum class StatedMove : std::uint8_t {
   Joints,  ///< the joints
   Nozzle,  ///< the nozzle: its tip on a straight line, its orientation at constant angular speed
+};
+
+/// A move that a program states beside the part, without material.
+struct StatedWay {
+  JointValues to;  ///< joints at its end; empty where there are none
+  StatedMove by = StatedMove::Nozzle;
+  std::size_t line = 0;  ///< 1 based
+  std::string fault;     ///< why there are no joints; empty where there are
+};
+
+/// Moves that lead to the part, away from it, or from one of its waypoints to the next by way of elsewhere,
+/// in the order in which they are run.
+struct StatedPassage {
+  /// Index in `StatedMotion::lines` of the waypoint that they lead to; the number of waypoints for what comes
+  /// after the last.
+  std::size_t before = 0;
+  std::vector<StatedWay> ways;
 };
 
 /// A file of a program, and from which waypoint on its lines state the motion.
@@ -34,7 +52,16 @@ struct StatedMotion {
   std::vector<StatedFile>
       files;  ///< whose lines these are, in the order they are run; empty if only one can be
   StatedMove between = StatedMove::Joints;
+  std::vector<StatedPassage> passages;  ///< ascending
 };
+
+/// A way beside the part, to the waypoint that is added next or behind the last.
+inline void addWay(StatedMotion& motion, StatedWay way) {
+  const std::size_t before = motion.lines.size();
+  if (motion.passages.empty() || motion.passages.back().before != before)
+    motion.passages.push_back({before, {}});
+  motion.passages.back().ways.push_back(std::move(way));
+}
 
 /// The waypoints added from here on are stated by the lines of that file.
 inline void goOnInFile(StatedMotion& motion, const std::string& name) {

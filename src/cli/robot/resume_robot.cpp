@@ -87,7 +87,7 @@ std::vector<std::string> write(const RobotResume& resume, const StatedMotion& re
                                const KinematicModel& model, const ProgramSettings& settings) {
   const PlacedToolpath placed{rest.toolpath, ProgramFrame(Eigen::Isometry3d::Identity()),
                               ProgramJoints{model, rest.joints}};
-  if (isRapidFile(resume.output)) return writeRapidFiles(resume.output, placed, settings.rapid);
+  if (isRapidFile(resume.output)) return writeRapidFiles(resume.output, placed, rapidWithLoad(settings));
   return writeRobotFiles(resume.output, placed, settings.robot).files;
 }
 

@@ -13,6 +13,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/kinematics/description_files/cell_description.hpp"
+#include "lamina/kinematics/description_files/inverse_trial.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/verification/collision/checked_bodies.hpp"
@@ -24,18 +25,21 @@ namespace {
 struct RobotArguments {
   std::string path;
   std::string written;
+  int poses = 0;
 };
 
 /// Summary of a description, with links that are built into each other, which take FCL to be found.
 struct Reported {
   RobotReport report;
   std::vector<std::pair<std::string, std::string>> built_in;
+  InverseTrial inverse;
 };
 
-Reported reportedRobot(const std::string& urdf) {
+Reported reportedRobot(const std::string& urdf, int poses) {
   RobotReport report = robotReport(urdf);
   const auto model = kinematicModelFromUrdf(withBedAndNozzle(urdf));
-  return {std::move(report), builtInLinks(*model, linkBodies(model->urdf()))};
+  return {std::move(report), builtInLinks(*model, linkBodies(model->urdf())),
+          tryInverse(*model, static_cast<std::size_t>(poses))};
 }
 
 /// As people read it: degrees for what turns.
@@ -69,6 +73,11 @@ void printRobot(const Reported& robot) {
     std::printf("unchecked  %s against %s\n", one.c_str(), other.c_str());
   for (const auto& [one, other] : robot.built_in)
     std::printf("unchecked  %s against %s, built into each other\n", one.c_str(), other.c_str());
+  const InverseTrial& trial = robot.inverse;
+  if (trial.poses > 0)
+    std::printf("inverse    %zu of %zu poses reached, %zu with the joints they were made by; %s\n",
+                trial.reached, trial.poses, trial.recovered,
+                trial.ends ? "none beyond any reach" : "one beyond any reach has a solution");
   for (const std::string& trap : report.traps) std::printf("note       %s\n", trap.c_str());
 }
 
@@ -99,6 +108,11 @@ void printRobotJson(const Reported& robot) {
       {"unchecked", report.unchecked},
       {"built_in", robot.built_in},
       {"traps", report.traps},
+      {"inverse",
+       {{"poses", robot.inverse.poses},
+        {"reached", robot.inverse.reached},
+        {"recovered", robot.inverse.recovered},
+        {"ends", robot.inverse.ends}}},
   };
   std::printf("%s\n", json.dump(2).c_str());
 }
@@ -111,11 +125,13 @@ void addRobot(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<RobotArguments>();
   subcommand->add_option("file", arguments->path, "URDF, or cell file (.yaml)")->required();
   subcommand->add_option("--write", arguments->written, "Write the one URDF that it becomes");
+  subcommand->add_option("--poses", arguments->poses, "Number of random poses to invert")
+      ->check(CLI::Range(0, 1000000));
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] {
       const std::string urdf = readMachineDescription(arguments->path);
-      const Reported report = reportedRobot(urdf);
+      const Reported report = reportedRobot(urdf, arguments->poses);
       if (!arguments->written.empty()) writeFile(arguments->written, urdf);
       chosen.format == OutputFormat::Json ? printRobotJson(report) : printRobot(report);
     };

@@ -49,17 +49,16 @@ KinematicModelRun joined(KinematicModelRun run, DividedJointPath led, const Laye
   return run;
 }
 
-/// Lines of the waypoints of a run, each that of the motion that it is on.
-/// @param stated  waypoints before they were divided, and their lines
-std::vector<std::size_t> linesAlong(const KinematicModelRun& run, const std::vector<WaypointIndex>& stated,
-                                    const std::vector<std::size_t>& lines) {
+/// Of the waypoints of a run, the index of the one stated that the motion it is on leads to.
+/// @param stated  waypoints before they were divided
+std::vector<std::size_t> statedAlong(const KinematicModelRun& run, const std::vector<WaypointIndex>& stated) {
   std::vector<std::size_t> along;
   along.reserve(run.path.at.size());
   std::size_t next = 0;
   for (const WaypointIndex& at : run.path.at) {
     const WaypointIndex original = run.divided.originalOf(at);
     while (next + 1 < stated.size() && stated[next] != original) ++next;
-    along.push_back(lines[next]);
+    along.push_back(next);
   }
   return along;
 }
@@ -118,10 +117,29 @@ KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
     return run;
   }
   const std::vector<WaypointIndex> stated = run.path.at;
+  motion.joints.values = run.path.values;
+  run.passages = ledPassages(model, motion, settings);
+  run.unknown_way = unknownWay(motion);
   DividedJointPath led = alongStraightMoves(std::move(motion.toolpath), std::move(run.path), model, settings);
   run.divided = std::move(led.divided);
   run.path = std::move(led.joints);
-  run.lines = linesAlong(run, stated, motion.lines);
+  const std::vector<std::size_t> coarse = statedAlong(run, stated);
+  run.lines.reserve(coarse.size());
+  for (const std::size_t each : coarse) run.lines.push_back(motion.lines[each]);
+  for (RunPassage& passage : run.passages)
+    passage.joints.before = static_cast<std::size_t>(
+        std::lower_bound(coarse.begin(), coarse.end(), passage.joints.before) - coarse.begin());
+  return run;
+}
+
+KinematicModelRun passagesAsStated(const KinematicModel& model, StatedMotion motion,
+                                   const JointPathSettings& settings) {
+  KinematicModelRun run;
+  run.passages = ledPassages(model, motion, settings);
+  run.unknown_way = unknownWay(motion);
+  run.divided = undivided(std::move(motion.toolpath));
+  run.path = std::move(motion.joints);
+  run.lines = std::move(motion.lines);
   return run;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -93,6 +94,61 @@ std::vector<Finding> collisionsOf(const KinematicModelRun& run, const JointClear
   return findings.take();
 }
 
+/// Which way beside the part it is, for people.
+std::string wayText(const RunPassage& passage, const KinematicModelRun& run) {
+  if (passage.joints.before == 0) return "on the way to the part: ";
+  return passage.joints.before < run.path.at.size() ? "on a way between two runs: "
+                                                    : "on the way from the part: ";
+}
+
+/// Findings of ways beside the part, once for each line and kind.
+class PassageFindings {
+ public:
+  PassageFindings(const KinematicModelRun& run, const KinematicModel& model) : run_(run), model_(model) {}
+
+  std::vector<Finding> faults() const {
+    std::vector<Finding> found;
+    for (const RunPassage& passage : run_.passages)
+      for (const PassageFault& fault : passage.faults)
+        add({placeOf(passage), tipAt(passage, fault.index), toString(fault.fault),
+             wayText(passage, run_) + fault.reason, passage.lines[fault.index]},
+            found);
+    return found;
+  }
+
+  std::vector<Finding> collisions(const std::vector<PassageCollision>& collisions) const {
+    std::vector<Finding> found;
+    for (const PassageCollision& each : collisions) {
+      const RunPassage& passage = run_.passages[each.passage];
+      add({placeOf(passage), run_.bed_from_part.inverse() * each.collision.tip, kCollision,
+           wayText(passage, run_) + reasonOf(each.collision, run_.divided), passage.lines[each.index],
+           meetingOf(each.collision)},
+          found);
+    }
+    return found;
+  }
+
+ private:
+  static void add(Finding finding, std::vector<Finding>& found) {
+    const bool is_known =
+        !found.empty() && found.back().line == finding.line && found.back().what == finding.what;
+    if (!is_known) found.push_back(std::move(finding));
+  }
+
+  WaypointIndex placeOf(const RunPassage& passage) const {
+    return run_.divided.originalOf(run_.path.at[std::min(passage.joints.before, run_.path.at.size() - 1)]);
+  }
+
+  Point3 tipAt(const RunPassage& passage, std::size_t index) const {
+    const JointValues& values = passage.joints.values[index];
+    if (values.size() == 0) return Point3::Zero();
+    return run_.bed_from_part.inverse() * model_.bedFromNozzle(values).translation();
+  }
+
+  const KinematicModelRun& run_;
+  const KinematicModel& model_;
+};
+
 constexpr std::size_t kMeetingsNamed = 3;
 
 std::string counted(std::size_t count) {
@@ -147,6 +203,23 @@ MachineCheck checkRun(const KinematicModelRun& run, const CheckedMachine& machin
   check.collisions =
       collisionsOf(run, checkJointClearance({run.toolpath(), run.bed_from_part, machine.model(), run.path},
                                             machine.bodies(), settings, progress));
+  MachineCheck beside = checkPassages(run, machine, settings);
+  std::move(beside.faults.begin(), beside.faults.end(), std::back_inserter(check.faults));
+  std::move(beside.collisions.begin(), beside.collisions.end(), std::back_inserter(check.collisions));
+  check.unknown_way = run.unknown_way;
+  return check;
+}
+
+MachineCheck checkPassages(const KinematicModelRun& run, const CheckedMachine& machine,
+                           const ClearanceSettings& settings) {
+  MachineCheck check;
+  const PassageFindings findings(run, machine.model());
+  check.faults = findings.faults();
+  std::vector<JointPassage> passages;
+  passages.reserve(run.passages.size());
+  for (const RunPassage& passage : run.passages) passages.push_back(passage.joints);
+  check.collisions = findings.collisions(checkJointPassages(
+      {run.toolpath(), run.bed_from_part, machine.model(), run.path}, passages, machine.bodies(), settings));
   return check;
 }
 

@@ -36,7 +36,9 @@ const std::vector<std::pair<std::string, LanguageSet>>& usedBy() {
 }
 
 bool isUsed(const std::string& key, const std::optional<RobotLanguage>& language) {
-  if (!language) return key.rfind("rapid.", 0) == 0;
+  if (!language)
+    return key.rfind("rapid.", 0) == 0 || key == "robot_program.tool_mass_kg" ||
+           key == "robot_program.tool_centre_of_gravity_mm";
   const auto found = std::find_if(usedBy().begin(), usedBy().end(),
                                   [&](const auto& each) { return key.rfind(each.first, 0) == 0; });
   if (found == usedBy().end()) return false;
@@ -54,6 +56,18 @@ std::vector<std::string> changedKeys(Settings settings) {
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < own.settings().size(); ++i)
     if (own.settings()[i].get() != defaults.settings()[i].get()) keys.push_back(own.settings()[i].key);
+  return keys;
+}
+
+/// Temperatures that are asked for: no robot's program sets one, or waits for one.
+std::vector<std::string> temperatureKeys(const ProgramSettings& program) {
+  const ProgramSettings plain;
+  const auto isAsked = [](double value, double by_default) { return value > 0.0 && value != by_default; };
+  std::vector<std::string> keys;
+  if (isAsked(program.nozzle_temperature_c, plain.nozzle_temperature_c))
+    keys.emplace_back("program.nozzle_temperature_c");
+  if (isAsked(program.bed_temperature_c, plain.bed_temperature_c))
+    keys.emplace_back("program.bed_temperature_c");
   return keys;
 }
 
@@ -105,6 +119,7 @@ std::string noteOnOtherLanguages(const SliceJob& job) {
   keys.erase(
       std::remove_if(keys.begin(), keys.end(), [&](const std::string& key) { return isUsed(key, language); }),
       keys.end());
+  for (std::string& key : temperatureKeys(job.settings.program)) keys.push_back(std::move(key));
   if (keys.empty()) return "";
   return listed(keys) + (keys.size() == 1 ? " has" : " have") + " no effect on a program in " +
          robotLanguageName(job.output);

@@ -18,6 +18,7 @@
 #include "job/laps.hpp"
 #include "job/modes/automatic_planning.hpp"
 #include "job/modes/part_slicing.hpp"
+#include "job/passages/passage_check.hpp"
 #include "job/run_changes.hpp"
 #include "job/settings_of_language.hpp"
 #include "job/slice_run.hpp"
@@ -35,6 +36,7 @@
 #include "lamina/planning/runs/runs.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -102,6 +104,15 @@ std::vector<std::string> olderFileNotes(const std::string& path, const std::vect
   return {range + " not of it: numbered on from its files, and written before"};
 }
 
+std::vector<std::string> rapidNotes(const std::string& output, const std::vector<std::string>& files,
+                                    const PlacedToolpath& placed, const RapidSettings& settings) {
+  std::vector<std::string> notes = olderFileNotes(output, files);
+  const RobotMotion robot{placed.joints->model, placed.joints->path};
+  std::string load = rapidLoadNote(settings, &robot);
+  if (!load.empty()) notes.push_back(std::move(load));
+  return notes;
+}
+
 /// @return notes for the summary
 std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
                                const std::optional<JointProgram>& joint_program) {
@@ -111,6 +122,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   program.strategy = job.settings.planning.infill.strategy;
   if (joint_program && joint_program->needs_configurations)
     program.rapid.configuration = RapidConfiguration::Joints;
+  program.rapid = rapidWithLoad(program);
   program.tool_offsets_mm = toolOffsets(job.settings.planning.tools);
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
@@ -125,6 +137,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   }
   const PlacedToolpath placed{joint_program->toolpath, frame,
                               ProgramJoints{*joint_program->model, joint_program->joints}};
+  if (isRobotFile(job.output)) requireClearPassages(job.output, placed, program, job.settings);
   if (programRunner(job.output) == ProgramRunner::OtherRobot) {
     const RobotWriting writing = writeRobotFiles(job.output, placed, program.robot);
     std::vector<std::string> notes = olderFileNotes(job.output, writing.files);
@@ -132,7 +145,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
     return notes;
   }
   if (programRunner(job.output) == ProgramRunner::RapidRobot)
-    return olderFileNotes(job.output, writeRapidFiles(job.output, placed, program.rapid));
+    return rapidNotes(job.output, writeRapidFiles(job.output, placed, program.rapid), placed, program.rapid);
   writeOutput(job.output, placed, program, annotations);
   return {};
 }

@@ -43,4 +43,13 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
   describe(schema, settings.drops);
 }
 
+RapidSettings rapidWithLoad(const ProgramSettings& program) {
+  RapidSettings rapid = program.rapid;
+  if (rapid.tool_mass_kg > 0.0 || program.robot.tool_mass_kg == 0.0) return rapid;
+  requireConsistent(program.robot);
+  rapid.tool_mass_kg = program.robot.tool_mass_kg;
+  rapid.tool_centre_of_gravity_mm = program.robot.tool_centre_of_gravity_mm;
+  return rapid;
+}
+
 }  // namespace lamina

@@ -103,6 +103,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.max_points=20"},
            {"rapid.loading=in_turn", "rapid.max_points=20"},
            {"rapid.process=arc"},
+           {"rapid.levels=laser_power_w=aoLaser*0.001"},
            {"rapid.dry_flag=true"},
            {"rapid.dry_speed_percent=20", "rapid.dry_flag=true"},
            {"rapid.seam_data=seam2", "rapid.process=arc"},

@@ -13,6 +13,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/description_files/robot_report.hpp"
 #include "lamina/kinematics/description_files/xacro_expansion.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
@@ -76,6 +77,28 @@ TEST_F(CellFolder, ToolAndBedStandWhereItSays) {
   EXPECT_TRUE(
       (links.at("bed").inverse() * links.at("base_link")).translation().isApprox(Point3(-600, 0, -20), 1e-9));
   EXPECT_TRUE(buildSpaceFromUrdf(urdf).range.high.head<2>().isApprox(Point2(200, 150), 1e-9));
+}
+
+TEST_F(CellFolder, LoadOfTheToolIsThatOfTheArmsCell) {
+  std::string arm = test::exactParallelAxesArm().urdf();
+  for (const char* end : {"nozzle", "bed"}) {
+    const std::string joint = std::string("<joint name=\"to_") + end + "\"";
+    const std::size_t link = arm.find(std::string("<link name=\"") + end);
+    arm.erase(link, arm.find("</joint>", arm.find(joint)) + 8 - link);
+  }
+  arm.insert(arm.find("</robot>"),
+             "<link name=\"tool0\"/><joint name=\"to_tool0\" type=\"fixed\"><parent link=\"joint_6_link\"/>"
+             "<child link=\"tool0\"/></joint>");
+  write("arm.urdf", arm);
+  std::string text = kPlain;
+  EXPECT_FALSE(armCell(*kinematicModelFromUrdf(cell(text))).load);
+  text.replace(text.find("250]"), 4, "250], mass_kg: 12.5, centre_mm: [0, 10, 90]");
+  const auto load = armCell(*kinematicModelFromUrdf(cell(text))).load;
+  ASSERT_TRUE(load);
+  EXPECT_EQ(load->mass_kg, 12.5);
+  EXPECT_TRUE(load->centre_mm.isApprox(Point3(0, 10, 90), 1e-9));
+  text.replace(text.find(", centre_mm: [0, 10, 90]"), 24, "");
+  EXPECT_NE(failureOf(text).find("has one of mass_kg and centre_mm"), std::string::npos) << failureOf(text);
 }
 
 TEST_F(CellFolder, TheNozzlePointsAlongTheAxisOfTheToolUnderItsFormerNameToo) {

@@ -3,9 +3,14 @@
 // What the flange carries, as the controller is told.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/progress.hpp"
+#include "lamina/kinematics/joint_path/joint_path_planner.hpp"
+#include "lamina/program/robot/robot_motion.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
 #include "support/robot_programs.hpp"
 #include "support/toolpaths.hpp"
@@ -73,6 +78,56 @@ TEST(RobotLoad, NeedsMassAndCentre) {
   settings = withLoad();
   settings.tool_mass_kg = 0.0;
   EXPECT_THROW(requireConsistent(settings), InvalidConfig);
+}
+
+/// A script of the arm as it is written for it, with one statement edited.
+class RobotTool : public testing::Test {
+ protected:
+  RobotTool() : arm_(kinematicModelByName("irb_4600")) {
+    NoProgress nobody;
+    const Toolpath toolpath = test::twoLayers();
+    const JointPath joints = planJointPath(toolpath, Eigen::Isometry3d::Identity(), *arm_, {}, nobody);
+    const RobotMotion robot{*arm_, joints};
+    files_ = robotProgram(toolpath, Eigen::Isometry3d::Identity(),
+                          {RobotLanguage::UrScript, "script", withLoad()}, &robot);
+  }
+
+  std::string refusal(const std::string& from, const std::string& to) {
+    std::string& text = files_[0].text;
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) return "no " + from;
+    text.replace(at, from.size(), to);
+    try {
+      readRobotMotion(files_, "part", *arm_);
+    } catch (const InvalidProgram& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::unique_ptr<KinematicModel> arm_;
+  std::vector<RobotFile> files_;
+};
+
+TEST_F(RobotTool, OfAScriptIsThatOfTheCell) {
+  EXPECT_EQ(refusal("set_tcp(", "set_tcp("), "");
+  // The nozzle of irb_4600 is at (-45, 0, 387) mm over its flange.
+  const std::string what =
+      refusal("set_tcp(p[-0.045000, 0.000000, 0.387000", "set_tcp(p[-0.045000, 0.000000, 0.400000");
+  EXPECT_NE(what.find("the tool is set to (-45.000, 0.000, 400.000) mm"), std::string::npos) << what;
+  EXPECT_NE(what.find("expected (-45.000, 0.000, 387.000) mm"), std::string::npos) << what;
+}
+
+TEST_F(RobotTool, LoadOfAScriptIsThatOfItsNote) {
+  const std::string what = refusal("set_payload(12.5", "set_payload(2.5");
+  EXPECT_NE(what.find("the payload is set to 2.5 kg with its centre at (-10, 0, 80.5) mm; expected 12.5 kg"),
+            std::string::npos)
+      << what;
+}
+
+TEST_F(RobotTool, LoadOfAScriptNeedsItsNote) {
+  const std::string what = refusal("  ## load 12.5 -10 0 80.5\n", "");
+  EXPECT_NE(what.find("expected a note of this load"), std::string::npos) << what;
 }
 
 }  // namespace

@@ -3,10 +3,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
+#include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
+
+/// Load on an arm's flange.
+struct ToolLoad {
+  double mass_kg = 0.0;
+  Point3 centre_mm = Point3::Zero();  ///< centre of gravity, in link tool0
+};
 
 /// Frames of an arm's cell that a controller needs: that of the tool on the flange, and that of the bed.
 struct ArmCell {
@@ -16,6 +24,8 @@ struct ArmCell {
   /// the link that the last of these axes moves [mm].
   Eigen::Isometry3d carrier_from_bed = Eigen::Isometry3d::Identity();
   bool is_bed_carried = false;  ///< by an external axis, such as a turntable
+  /// What the flange carries, if the cell file states it (`mass_kg`, `centre_mm` of its tool).
+  std::optional<ToolLoad> load;
 };
 
 /// The frames of an arm's cell, from its description.

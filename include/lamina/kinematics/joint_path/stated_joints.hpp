@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -19,5 +22,8 @@ namespace lamina {
 /// @return the path with all its faults, in the order of the motion
 JointPath judged(JointPath stated, const Toolpath& toolpath, const KinematicModel& model,
                  const JointPathSettings& settings);
+
+/// As `limitFault`, of values within the rounding of a program.
+std::optional<std::string> statedLimitFault(JointValues values, const KinematicModel& model);
 
 }  // namespace lamina

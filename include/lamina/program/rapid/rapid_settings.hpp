@@ -49,6 +49,8 @@ struct RapidSettings {
   double zone_mm = 0.3;             ///< radius of `zone` if that is not the name of a predefined zone
   double turn_speed_deg_s = 500.0;  ///< speed at which the tool rotates, in each declared speed
 
+  /// Analogue outputs of process values: see `rapidLevels`.
+  std::string levels;
   bool has_dry_flag = false;  ///< whether the module declares lamina_dry, with which it runs without process
   /// Speed of a dry run by that flag, in percent of the program's speeds; 100 for these.
   double dry_speed_percent = 100.0;
@@ -57,7 +59,13 @@ struct RapidSettings {
   /// description, or, without an arm, the flange itself.
   std::vector<double> tool_frame;
   std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};  ///< in the flange's frame
-  double tool_mass_kg = 1.0;
+  /// Mass of the tool. If it is 0, that of `robot_program.tool_mass_kg` or of the cell file with its centre;
+  /// if nobody states one, 1 kg at (0, 0, 1) mm.
+  double tool_mass_kg = 0.0;
+  bool is_load_given = true;  ///< no setting: whether somebody states the load (`checkedRapidSettings`)
+  /// No setting: whether targets state `external_axis` where no joint gives a value; eax_a is 9e+09
+  /// otherwise.
+  bool has_external_axis = true;
   /// Mechanical unit that carries the bed. If it is empty, the bed is fixed, unless an external axis of the
   /// arm's description carries it: then the unit is STN1.
   std::string positioner;
@@ -121,5 +129,16 @@ struct RapidAlias {
 /// The aliases in a list "name=name of the controller, ...", in its order.
 /// @throws InvalidConfig if an entry has no "="
 std::vector<RapidAlias> rapidAliases(const std::string& text);
+
+/// An analogue output that follows a process value.
+struct RapidLevel {
+  std::string name;    ///< of the process value
+  std::string signal;  ///< name of the output
+  double per = 1.0;    ///< what the output is set to for each unit
+};
+
+/// The levels of `rapid.levels`, as "laser_power_w=aoLaser*0.0025, wire_speed_mm_s=aoWire*0.04".
+/// @throws InvalidConfig if one is no name=signal*per, or stands twice
+std::vector<RapidLevel> rapidLevels(const std::string& text);
 
 }  // namespace lamina

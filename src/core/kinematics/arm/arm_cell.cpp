@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kinematics/arm/arm_cell.hpp"
 
+#include <urdf_parser/urdf_parser.h>
+
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "kinematics/arm/arm_model.hpp"
 #include "lamina/base/error.hpp"
@@ -24,6 +28,20 @@ const ChainLink& carrierOf(const SerialChain& chain) {
   return *link;
 }
 
+/// That of the link that a cell file puts on the flange.
+std::optional<ToolLoad> loadOf(const std::string& urdf,
+                               const std::map<std::string, Eigen::Isometry3d>& links) {
+  constexpr double kMillimetres = 1e3;  // in a metre
+  const auto flange = links.find("cell_flange");
+  if (flange == links.end()) return std::nullopt;
+  const auto description = urdf::parseURDF(urdf);
+  const auto link = description ? description->getLink("cell_flange") : nullptr;
+  if (!link || !link->inertial) return std::nullopt;
+  const urdf::Vector3& at = link->inertial->origin.position;
+  const Point3 centre = kMillimetres * Point3(at.x, at.y, at.z);
+  return ToolLoad{link->inertial->mass, links.at("tool0").inverse() * flange->second * centre};
+}
+
 }  // namespace
 
 ArmCell armCell(const KinematicModel& arm) {
@@ -37,6 +55,7 @@ ArmCell armCell(const KinematicModel& arm) {
   cell.flange_from_nozzle = links.at("tool0").inverse() * links.at("nozzle");
   cell.carrier_from_bed = links.at(carrier.name).inverse();
   cell.is_bed_carried = carrier.joint != ChainLink::kNone;
+  cell.load = loadOf(arm.urdf(), links);
   return cell;
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "base/strict_yaml.hpp"
 #include "kinematics/description_files/description_faults.hpp"
 #include "kinematics/description_files/flange.hpp"
@@ -24,14 +25,16 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/description_files/robot_description.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kMetre = 1e-3;    // in a millimetre
-constexpr double kAcross = 0.5;    // cosine: the flange's z is neither along the last axis nor against it
-constexpr int kDigitsOfCell = 17;  // of doubles
+constexpr double kMetre = 1e-3;  // in a millimetre
+constexpr double kAcross = 0.5;  // cosine: the flange's z is neither along the last axis nor against it
+constexpr double kHeaviestCellTool = 1000.0;  // kg
+constexpr int kDigitsOfCell = 17;             // of doubles
 
 using Vector = std::array<double, 3>;
 
@@ -45,6 +48,8 @@ struct CellTool {
   Placing at;
   std::string axis = "z";  // of its frame, along which the nozzle points
   std::vector<std::string> meshes;
+  double mass_kg = 0.0;             // 0 if nothing is said
+  std::optional<Vector> centre_mm;  // of gravity, in the frame of the flange
 };
 
 struct CellArm {
@@ -177,16 +182,23 @@ class CellReader {
   CellTool tool(const StrictYaml& node) const {
     CellTool tool;
     // jet: the name of axis in the release before.
-    for (const auto& [key, value] : node.entries({"xyz_mm", "rpy_deg", "axis", "bodies", "jet"})) {
+    for (const auto& [key, value] :
+         node.entries({"xyz_mm", "rpy_deg", "axis", "bodies", "jet", "mass_kg", "centre_mm"})) {
       const bool is_axis = key == "axis" || key == "jet";
       if (key == "xyz_mm") tool.at.xyz_mm = vectorFrom(value);
       if (key == "rpy_deg") tool.at.rpy_deg = vectorFrom(value);
       if (is_axis) tool.axis = value.text();
+      if (key == "mass_kg") tool.mass_kg = value.number();
+      if (key == "centre_mm") tool.centre_mm = vectorFrom(value);
+      if (key == "mass_kg" && !(tool.mass_kg > 0.0 && tool.mass_kg <= kHeaviestCellTool))
+        value.refuse("is " + numberText(tool.mass_kg) + " kg; expected more than 0, 1000 kg at most");
       if (key == "bodies")
         for (const std::string& mesh : value.texts()) tool.meshes.push_back(placed(mesh));
       if (is_axis && tool.axis != "x" && tool.axis != "y" && tool.axis != "z")
         value.refuse("is '" + tool.axis + "'; expected x, y or z");
     }
+    if ((tool.mass_kg > 0.0) != tool.centre_mm.has_value())
+      node.refuse("has one of mass_kg and centre_mm; expected both, or neither");
     return tool;
   }
 
@@ -328,6 +340,13 @@ std::string positionerText(const std::string& urdf, const std::string& path, int
   return printer.Str();
 }
 
+/// As a description states what a link weighs; its inertia is not known.
+std::string loadText(const CellTool& tool) {
+  if (tool.mass_kg == 0.0) return "";
+  return "<inertial>" + originText({*tool.centre_mm, {}}) + "<mass value=\"" + shortestText(tool.mass_kg) +
+         "\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial>";
+}
+
 std::string toolText(const CellFile& cell, const std::string& flange) {
   const Placing turn{{}, cell.arm.flange_turn_deg.value_or(Vector{})};
   Placing axis;
@@ -335,7 +354,8 @@ std::string toolText(const CellFile& cell, const std::string& flange) {
   if (cell.tool.axis == "y") axis.rpy_deg = {-90.0, 0.0, 0.0};
   std::string bodies;
   for (const std::string& mesh : cell.tool.meshes) bodies += meshText(mesh, {}, "cell_tool");
-  return "<link name=\"cell_flange\">" + bodies + "</link><link name=\"cell_tool\"/><link name=\"nozzle\"/>" +
+  return "<link name=\"cell_flange\">" + loadText(cell.tool) + bodies +
+         "</link><link name=\"cell_tool\"/><link name=\"nozzle\"/>" +
          jointText("cell_flange_turn", "fixed", {flange, "cell_flange"}, originText(turn)) +
          jointText("cell_tool_place", "fixed", {"cell_flange", "cell_tool"}, originText(cell.tool.at)) +
          jointText("cell_tool_axis", "fixed", {"cell_tool", "nozzle"}, originText(axis));

@@ -121,6 +121,11 @@ class StatedJudge {
 
 }  // namespace
 
+std::optional<std::string> statedLimitFault(JointValues values, const KinematicModel& model) {
+  putToLimits(values, model.joints());
+  return limitFault(values, model);
+}
+
 JointPath judged(JointPath stated, const Toolpath& toolpath, const KinematicModel& model,
                  const JointPathSettings& settings) {
   for (JointValues& values : stated.values)

@@ -57,6 +57,10 @@ void describeArc(SettingsSchema& schema, RapidSettings& settings) {
                               {{"outputs", RapidProcess::Outputs}, {"arc", RapidProcess::Arc}},
                               "Whether the process is switched by outputs, or by moves of the arc package: "
                               "ArcLStart, ArcL, ArcLEnd.");
+  schema.text(
+      "rapid.levels", settings.levels,
+      "Analogue outputs of process values, with commas between: value=signal*per, where the output is "
+      "set to the value times per; 0 while the process is off.");
   schema.flag(
       "rapid.dry_flag", settings.has_dry_flag,
       "Whether the module declares lamina_dry, a PERS bool: TRUE runs the program without its process.");
@@ -78,7 +82,9 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
                  "arm's description.");
   schema.numbers("rapid.tool_centre_of_gravity_mm", settings.tool_centre_of_gravity_mm, 3,
                  "Centre of gravity of the tool over the flange.");
-  schema.number("rapid.tool_mass_kg", settings.tool_mass_kg, Bounds::above(0.0, 1000.0), "Mass of the tool.");
+  schema.number("rapid.tool_mass_kg", settings.tool_mass_kg, {0.0, 1000.0},
+                "Mass of the tool; 0 for that of robot_program.tool_mass_kg or of the cell file, with its "
+                "centre.");
   schema.numbers("rapid.work_object_frame", settings.work_object_frame, 7,
                  "The bed over the robot's world, or over the user frame of its positioner [mm], and its "
                  "orientation w x y z; empty for that of the arm's description.");
@@ -96,8 +102,10 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
       "Configuration of the arm: the same in all targets, or that of the joints at each.");
   schema.numbers("rapid.fixed_configuration", settings.fixed_configuration, 4,
                  "Configuration cf1, cf4, cf6, cfx where it is the same in all targets.");
-  schema.number("rapid.external_axis", settings.external_axis, {-1e5, 1e5},
-                "Value of the first external axis [mm, deg] where no joint of the machine gives it.");
+  schema.number(
+      "rapid.external_axis", settings.external_axis, {-1e5, 1e5},
+      "Value of the first external axis [mm, deg] where no joint of the machine gives it; 0: an arm "
+      "of the description has none there.");
   schema.flag("rapid.thesis_compat", settings.is_thesis_compatible,
               "Five external axes in targets, as printed in [Flores2018]; RAPID has six.");
 }
@@ -228,6 +236,22 @@ void requireArc(const RapidSettings& settings) {
   if (!settings.weave_data.empty()) requireRapidName("rapid.weave_data", settings.weave_data);
 }
 
+void requireLevels(const RapidSettings& settings) {
+  const std::vector<RapidLevel> levels = rapidLevels(settings.levels);
+  if (levels.empty()) return;
+  if (settings.process == RapidProcess::Arc)
+    throw InvalidConfig(
+        "rapid.levels is '" + settings.levels +
+        "' with rapid.process 'arc'; expected none: values of arcs are those of their weld data");
+  if (settings.has_dry_flag)
+    throw InvalidConfig("rapid.levels is '" + settings.levels +
+                        "' with rapid.dry_flag true; expected false: a dry run would set the outputs");
+  for (const RapidLevel& level : levels)
+    for (const auto& [key, name] : namesOf(settings))
+      if (lowerCase(name) == lowerCase(level.signal))
+        throw InvalidConfig("rapid.levels names '" + level.signal + "', as does " + key + "; must differ");
+}
+
 void requireAliases(const RapidSettings& settings) {
   const std::vector<std::string> signals = {settings.laser_signal, settings.laser_ready_signal,
                                             settings.wire_signal, settings.powder_signal,
@@ -264,10 +288,13 @@ RapidSettings checkedRapidSettings(RapidSettings settings) {
   if (settings.tool_frame.empty()) settings.tool_frame = none;
   if (settings.work_object_frame.empty()) settings.work_object_frame = none;
   if (settings.work_object.empty()) settings.work_object = is_wire ? "w_frametrabajo" : "temple";
+  settings.is_load_given = settings.tool_mass_kg > 0.0;
+  if (!settings.is_load_given) settings.tool_mass_kg = 1.0;
   requireListed(settings);
   requireDryRun(settings);
   requireArc(settings);
   requireNames(settings);
+  requireLevels(settings);
   requireAliases(settings);
   return settings;
 }

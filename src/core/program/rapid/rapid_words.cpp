@@ -208,6 +208,8 @@ std::optional<int> numberAfter(char letter, const std::string& name) {
 
 }  // namespace
 
+std::string rapidLevelTrigger(std::size_t level) { return "lamina_level_" + std::to_string(level + 1); }
+
 void requireRapidName(const std::string& key, const std::string& name) {
   const bool is_name =
       !name.empty() && name.size() <= kLongestName && isLetter(name.front()) &&

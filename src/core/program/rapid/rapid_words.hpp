@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,12 @@ namespace lamina {
 
 /// Name of the variable that switches the process off for a dry run.
 constexpr std::string_view kRapidDryFlag = "lamina_dry";
+
+/// Begins a note of a level: its process value, its output, and how much that is for each unit.
+constexpr std::string_view kRapidLevel = "level";
+
+/// Name of the trigger that sets a level on the way: "lamina_level_1" of the first.
+std::string rapidLevelTrigger(std::size_t level);
 
 /// Refuses a name that cannot be declared in RAPID.
 /// @param key  what is named, for the error

@@ -77,13 +77,20 @@ struct ProgramWait {
   double duration_s = 0.0;
 };
 
+/// Sets what the flange carries.
+struct ToolStatement {
+  std::optional<Eigen::Isometry3d> flange_from_tip;  ///< [mm]
+  std::optional<double> mass_kg;
+  Point3 centre_mm = Point3::Zero();  ///< centre of gravity, over the flange
+};
+
 struct FileCall {
   std::string name;
 };
 
 /// A statement of a robot's program, in any language.
-using RobotStatement =
-    std::variant<NoteLine, JointMove, TipMove, OutputSwitch, ArcSwitch, LevelChange, ProgramWait, FileCall>;
+using RobotStatement = std::variant<NoteLine, JointMove, TipMove, OutputSwitch, ArcSwitch, LevelChange,
+                                    ProgramWait, ToolStatement, FileCall>;
 
 /// A statement of a file, and its line.
 struct ReadStatement {

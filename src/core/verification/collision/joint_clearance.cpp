@@ -55,7 +55,11 @@ class Deposition {
       for (std::size_t p = 0; p < layers[l].paths.size(); ++p) lay(layers[l].paths[p], {l, p, 0});
   }
 
-  std::vector<std::size_t> beforeStations() && { return std::move(before_); }
+  /// Behind the last the number when it is reached.
+  std::vector<std::size_t> beforeStations() && {
+    before_.push_back(set_);
+    return std::move(before_);
+  }
 
  private:
   void lay(const Path& path, WaypointIndex at) {
@@ -101,14 +105,9 @@ bool followsPrevious(const JointRun& run, std::size_t station) {
   return true;
 }
 
-/// Joint values at which to look on the way to a station, the station last: the station alone if the joint
-/// path does not go on there, or the one before has no values; nothing if it has none itself.
-std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
-                                      const ClearanceSettings& settings) {
-  const JointValues& to = run.path.values[station];
-  if (to.size() == 0) return {};
-  if (!followsPrevious(run, station) || run.path.values[station - 1].size() == 0) return {to};
-  const JointValues& from = run.path.values[station - 1];
+/// Joint values at which to look between two, the second last.
+std::vector<JointValues> placesBetween(const JointRun& run, const JointValues& from, const JointValues& to,
+                                       const ClearanceSettings& settings) {
   const double way =
       (run.model.bedFromNozzle(to).translation() - run.model.bedFromNozzle(from).translation()).norm();
   const int steps = std::max({1, static_cast<int>(std::ceil(way / settings.spacing_mm)),
@@ -117,6 +116,16 @@ std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
   for (int i = 1; i < steps; ++i) places.push_back(from + static_cast<double>(i) / steps * (to - from));
   places.push_back(to);
   return places;
+}
+
+/// Joint values at which to look on the way to a station, the station last: the station alone if the joint
+/// path does not go on there, or the one before has no values; nothing if it has none itself.
+std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
+                                      const ClearanceSettings& settings) {
+  const JointValues& to = run.path.values[station];
+  if (to.size() == 0) return {};
+  if (!followsPrevious(run, station) || run.path.values[station - 1].size() == 0) return {to};
+  return placesBetween(run, run.path.values[station - 1], to, settings);
 }
 
 constexpr std::size_t kStationsTogether = 256;  // looked at by one thread
@@ -160,7 +169,21 @@ class JointClearanceCheck {
   std::optional<Collision> check(std::size_t station) const {
     for (const JointValues& values : placesBefore(run_, station, settings_))
       if (const std::optional<JointHit> hit = hitAt(values, deposited_before_[station]))
-        return collisionOf(station, values, *hit);
+        return collisionOf(run_.path.at[station], values, *hit);
+    return std::nullopt;
+  }
+
+  /// On the way to one of the values of a passage.
+  std::optional<Collision> check(const JointPassage& passage, std::size_t index) const {
+    const JointValues& to = passage.values[index];
+    if (to.size() == 0) return std::nullopt;
+    const bool is_led = index > 0 && passage.values[index - 1].size() > 0;
+    const std::vector<JointValues> places =
+        is_led ? placesBetween(run_, passage.values[index - 1], to, settings_) : std::vector<JointValues>{to};
+    const std::size_t at = std::min(passage.before, run_.path.at.size() - 1);
+    for (const JointValues& values : places)
+      if (const std::optional<JointHit> hit = hitAt(values, deposited_before_[passage.before]))
+        return collisionOf(run_.path.at[at], values, *hit);
     return std::nullopt;
   }
 
@@ -218,9 +241,9 @@ class JointClearanceCheck {
     return hit;
   }
 
-  Collision collisionOf(std::size_t station, const JointValues& values, const JointHit& hit) const {
+  Collision collisionOf(const WaypointIndex& at, const JointValues& values, const JointHit& hit) const {
     Collision collision;
-    collision.at = run_.path.at[station];
+    collision.at = at;
     collision.tip = run_.model.bedFromNozzle(values).translation();
     collision.link = hit.body->link;
     if (hit.other == nullptr) {
@@ -254,14 +277,18 @@ bool hasMovingBodies(const LinkBodies& bodies) {
   return false;
 }
 
-}  // namespace
-
-JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
-                                         const ClearanceSettings& settings, Progress& progress) {
+void requireMovingBodies(const JointRun& run, const LinkBodies& bodies) {
   if (!hasMovingBodies(bodies))
     throw InvalidConfig("machine '" + run.model.name() +
                         "' has no collision geometry on any link that moves against the bed; expected some "
                         "on its nozzle and head");
+}
+
+}  // namespace
+
+JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
+                                         const ClearanceSettings& settings, Progress& progress) {
+  requireMovingBodies(run, bodies);
   const JointClearanceCheck check(run, bodies, settings);
   const std::size_t stations = run.path.at.size();
   std::vector<std::vector<Collision>> found((stations + kStationsTogether - 1) / kStationsTogether);
@@ -280,6 +307,21 @@ JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& 
       if (report.collisions.empty() || report.collisions.back().at != collision.at)
         report.collisions.push_back(collision);
   return report;
+}
+
+std::vector<PassageCollision> checkJointPassages(const JointRun& run,
+                                                 const std::vector<JointPassage>& passages,
+                                                 const LinkBodies& bodies,
+                                                 const ClearanceSettings& settings) {
+  if (passages.empty() || run.path.at.empty()) return {};
+  requireMovingBodies(run, bodies);
+  const JointClearanceCheck check(run, bodies, settings);
+  std::vector<PassageCollision> found;
+  for (std::size_t p = 0; p < passages.size(); ++p)
+    for (std::size_t i = 0; i < passages[p].values.size(); ++i)
+      if (std::optional<Collision> collision = check.check(passages[p], i))
+        found.push_back({p, i, *std::move(collision)});
+  return found;
 }
 
 }  // namespace lamina

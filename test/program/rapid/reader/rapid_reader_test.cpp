@@ -132,7 +132,7 @@ std::string rapidReaderRefusal(const std::string& from, const std::string& to) {
 TEST(RapidReader, NamesTheLineWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(
       rapidReaderRefusal("    deposit_1;", "    deposit_7;"),
-      "'m0.mod' line 19: found 'deposit_7'; expected an instruction that is known, or a procedure of the "
+      "'m0.mod' line 20: found 'deposit_7'; expected an instruction that is known, or a procedure of the "
       "program");
   EXPECT_NE(rapidReaderRefusal("MoveL [[10", "MoveJ [[10").find("found instruction 'movej'; expected MoveL"),
             std::string::npos);

@@ -62,4 +62,8 @@ class RapidProgram {
 void writeRapid(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                 const RapidSettings& settings, const TextSink& sink, const RobotMotion* robot = nullptr);
 
+/// A note for the summary where the load of the tool that a module states is given by nobody; empty
+/// otherwise.
+std::string rapidLoadNote(const RapidSettings& settings, const RobotMotion* robot);
+
 }  // namespace lamina

@@ -10,6 +10,7 @@
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
+#include "program/led_joints.hpp"
 
 namespace lamina {
 namespace {
@@ -45,33 +46,67 @@ void requireCell(const RapidSource& source, const KinematicModel& arm) {
 /// Follows the moves of a program with the joints of an arm.
 class RapidFollower {
  public:
-  RapidFollower(const KinematicModel& arm, const std::optional<RapidJoints>& start)
-      : arm_(arm), last_(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()))) {
-    if (!start) return;
-    SixJoints joints;
-    for (std::size_t j = 0; j < start->arm_deg.size(); ++j)
-      joints[static_cast<Eigen::Index>(j)] = toRadians(start->arm_deg[j]);
-    last_ = withSixJoints(arm, withExternal(last_, start->external, 0), joints);
-    is_known_ = true;
-  }
+  RapidFollower(const KinematicModel& arm, const std::vector<RapidWay>& ways)
+      : arm_(arm), ways_(ways), last_(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()))) {}
 
   void add(const RapidStation& station, StatedMotion& motion) {
-    const RapidTarget& target = station.move.target;
-    last_ = withExternal(std::move(last_), target.external, station.move.line);
-    Eigen::Isometry3d pose(target.orientation);
-    pose.translation() = target.point;
-    const bool is_heeded = station.move.is_heeded || !is_known_;
-    const auto joints = is_heeded ? configuredJoints(arm_, pose, target.configuration, last_)
-                                  : followingJoints(arm_, pose, last_);
+    followWays(station.index, motion);
+    const Eigen::Isometry3d pose = poseOf(station.move);
+    const auto joints = jointsAt(station.move);
     motion.joints.at.push_back(station.at);
     motion.lines.push_back(station.move.line);
     motion.joints.values.push_back(joints.value_or(JointValues()));
-    if (!joints) return addFault(station, pose, motion);
-    last_ = *joints;
-    is_known_ = true;
+    if (!joints) motion.joints.faults.push_back(faultOf(station, pose));
+  }
+
+  /// Those before this move of the part.
+  void followWays(std::size_t move, StatedMotion& motion) {
+    for (; next_ < ways_.size() && ways_[next_].before <= move; ++next_) follow(ways_[next_], motion);
   }
 
  private:
+  static Eigen::Isometry3d poseOf(const RapidMove& move) {
+    Eigen::Isometry3d pose(move.target.orientation);
+    pose.translation() = move.target.point;
+    return pose;
+  }
+
+  void follow(const RapidWay& way, StatedMotion& motion) {
+    StatedWay stated;
+    stated.line = way.line;
+    if (way.joints) {
+      SixJoints joints;
+      for (std::size_t j = 0; j < way.joints->arm_deg.size(); ++j)
+        joints[static_cast<Eigen::Index>(j)] = toRadians(way.joints->arm_deg[j]);
+      last_ = withSixJoints(arm_, withExternal(last_, way.joints->external, way.line), joints);
+      is_known_ = true;
+      stated.by = StatedMove::Joints;
+      stated.to = last_;
+    } else {
+      const auto joints = jointsAt(way.move);
+      stated.to = joints.value_or(JointValues());
+      if (!joints) stated.fault = "no joints reach the target";
+    }
+    is_far_ = true;
+    addWay(motion, std::move(stated));
+  }
+
+  std::optional<JointValues> jointsAt(const RapidMove& move) {
+    const JointValues near = withExternal(last_, move.target.external, move.line);
+    const Eigen::Isometry3d pose = poseOf(move);
+    std::optional<JointValues> joints;
+    if (move.is_heeded || !is_known_) {
+      joints = configuredJoints(arm_, pose, move.target.configuration, near);
+    } else {
+      if (is_far_) joints = ledJoints(arm_, last_, pose, near);
+      if (!joints) joints = followingJoints(arm_, pose, near);
+    }
+    last_ = joints.value_or(near);
+    is_known_ |= joints.has_value();
+    is_far_ = false;
+    return joints;
+  }
+
   JointValues withExternal(JointValues values, const std::vector<double>& external, std::size_t line) const {
     std::size_t next = 0;
     for (std::size_t j = 0; j < arm_.joints().size(); ++j) {
@@ -87,19 +122,19 @@ class RapidFollower {
     return values;
   }
 
-  void addFault(const RapidStation& station, const Eigen::Isometry3d& pose, StatedMotion& motion) const {
+  FaultyWaypoint faultOf(const RapidStation& station, const Eigen::Isometry3d& pose) const {
     const AbbConfiguration& c = station.move.target.configuration;
-    if (arm_.solutions(pose, last_).empty()) {
-      motion.joints.faults.push_back({station.at, JointFault::OutOfReach, "there is no solution"});
-      return;
-    }
-    motion.joints.faults.push_back({station.at, JointFault::Configuration,
-                                    "no joints reach the target in its configuration [" +
-                                        std::to_string(c.cf1) + "," + std::to_string(c.cf4) + "," +
-                                        std::to_string(c.cf6) + "," + std::to_string(c.cfx) + "]"});
+    if (arm_.solutions(pose, last_).empty())
+      return {station.at, JointFault::OutOfReach, "there is no solution"};
+    return {station.at, JointFault::Configuration,
+            "no joints reach the target in its configuration [" + std::to_string(c.cf1) + "," +
+                std::to_string(c.cf4) + "," + std::to_string(c.cf6) + "," + std::to_string(c.cfx) + "]"};
   }
 
   const KinematicModel& arm_;
+  const std::vector<RapidWay>& ways_;
+  std::size_t next_ = 0;  ///< way
+  bool is_far_ = false;   ///< whether the arm comes from beside the part
   JointValues last_;
   bool is_known_ = false;  ///< where the arm stands
 };
@@ -110,11 +145,12 @@ StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, cons
   requireCell(source, arm);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;
-  RapidFollower follower(arm, running.start);
+  RapidFollower follower(arm, running.ways);
   for (const RapidStation& station : running.stations) {
     goOnInFile(motion, source.files[station.move.module]);
     follower.add(station, motion);
   }
+  follower.followWays(running.stations.back().index + 1, motion);
   motion.toolpath = std::move(running.toolpath);
   return motion;
 }

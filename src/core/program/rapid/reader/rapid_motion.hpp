@@ -16,13 +16,22 @@ namespace lamina {
 struct RapidStation {
   WaypointIndex at;
   RapidMove move;
+  std::size_t index = 0;  ///< of the move among those of the part
+};
+
+/// A move of an approach or a retract.
+struct RapidWay {
+  std::size_t before = 0;             ///< number of moves of the part before it
+  std::optional<RapidJoints> joints;  ///< of a MoveAbsJ
+  RapidMove move;                     ///< of any other
+  std::size_t line = 0;
 };
 
 /// A program in the order in which it is run.
 struct RapidRunning {
   Toolpath toolpath;
   std::vector<RapidStation> stations;  ///< the start of each path, and the end of each of its motions
-  std::optional<RapidJoints> start;    ///< joints of the approach
+  std::vector<RapidWay> ways;          ///< in the order in which they are run
 };
 
 /// Motion that a program states; see `readRapidMotion`.

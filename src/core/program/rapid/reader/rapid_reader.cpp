@@ -3,8 +3,10 @@
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "program/rapid/rapid_words.hpp"
@@ -25,6 +28,8 @@
 
 namespace lamina {
 namespace {
+
+constexpr double kLeastPerUnit = 1e-12;
 
 /// The text after the note's mark; nothing if it is no note.
 std::optional<std::string_view> noteText(const RapidComment& comment) {
@@ -79,6 +84,28 @@ void readWireStopNotes(RapidSource& source) {
     appendShortest(trigger, words.number<double>("how long before the end of a run the wire stops in s"));
     words.expectEnd();
     source.process.insert(trigger + " s");
+  }
+}
+
+/// The levels of the first module, from the comments at its head.
+void readLevelNotes(RapidSource& source) {
+  source.levels.clear();
+  for (const RapidComment& comment : source.head) {
+    const auto text = noteText(comment);
+    if (!text) continue;
+    NoteWords words(*text, comment.line, source.files.front());
+    if (!words.take(kRapidLevel)) continue;
+    RapidLevel level;
+    level.name = std::string(words.next());
+    level.signal = lowerCase(words.next());
+    level.per = words.number<double>("what the output is set to for each unit");
+    if (level.name.empty() || level.signal.empty() || !(std::abs(level.per) >= kLeastPerUnit))
+      words.refuse(level.name, "a process value, its output, and how much that is for each unit");
+    words.expectEnd();
+    std::string output = "analogue output " + level.signal + " of " + level.name + " by ";
+    appendShortest(output, level.per);
+    source.process.insert(output);
+    source.levels.push_back(std::move(level));
   }
 }
 
@@ -141,6 +168,8 @@ class RapidRun {
       if (each.action == RapidAction::Heed) is_heeded_ = each.index == 1;
       if (each.action == RapidAction::Move)
         addMove(procedure, source_.moves[each.index], line);
+      else if (each.action == RapidAction::Level)
+        changeLevel(procedure, source_.level_changes[each.index], line);
       else if (each.action == RapidAction::Wait)
         assembly_.addDwell(each.duration_s, line);
       else
@@ -149,14 +178,33 @@ class RapidRun {
     assembly_.end(line);
   }
 
+  void changeLevel(const RapidProcedure& procedure, const RapidLevelChange& change, std::size_t line) {
+    const auto isItsOutput = [&](const RapidLevel& level) { return level.signal == change.signal; };
+    if (std::none_of(source_.levels.begin(), source_.levels.end(), isItsOutput))
+      refuse(procedure, line,
+             "found analogue output '" + change.signal + "'; expected one that a note of a level names");
+    if (change.trigger.empty())
+      outputs_[change.signal] = change.value;
+    else
+      triggers_[change.trigger] = change;
+  }
+
   void addMove(const RapidProcedure& procedure, RapidMove move, std::size_t line) {
     move.is_heeded = is_heeded_;
     move.module = procedure.module;
     const bool needs_arc = move.arc == RapidArc::On || move.arc == RapidArc::End;
     if (needs_arc && process_ == ProcessState::Off)
       refuse(procedure, line, "found a move of an arc that is not started; expected ArcLStart before it");
-    assembly_.add({move.target.point, move.target.orientation, move.feed_mm_s, {}, moves_.size()}, process_,
-                  line);
+    for (const std::string& trigger : move.triggers)
+      if (const auto found = triggers_.find(trigger); found != triggers_.end())
+        outputs_[found->second.signal] = found->second.value;
+    std::map<std::string, double> values;
+    for (const RapidLevel& level : source_.levels)
+      if (const auto found = outputs_.find(level.signal); found != outputs_.end())
+        values[level.name] = found->second / level.per;
+    assembly_.add(
+        {move.target.point, move.target.orientation, move.feed_mm_s, std::move(values), moves_.size()},
+        process_, line);
     if (move.arc == RapidArc::Start) process_ = ProcessState::On;
     if (move.arc == RapidArc::End) process_ = ProcessState::Off;
     moves_.push_back(std::move(move));
@@ -167,20 +215,29 @@ class RapidRun {
     RapidRunning running;
     running.toolpath = std::move(assembled.toolpath);
     for (const AssembledStation& station : assembled.stations) {
-      running.stations.push_back({station.at, moves_[station.move.index]});
+      running.stations.push_back({station.at, moves_[station.move.index], station.move.index});
       running.stations.back().move.target.point = station.move.point;
     }
-    running.start = start_;
+    running.ways = std::move(ways_);
     return running;
   }
 
-  /// Nothing of the part: joints from which its first move sets out are kept.
+  /// Nothing of the part.
   void callPassage(const RapidProcedure& procedure) {
     for (const RapidStatement& each : procedure.statements) {
       if (process_ == ProcessState::On) refuse(procedure, each.line, "the process is on; expected it off");
       if (each.action != RapidAction::MoveJoints && each.action != RapidAction::Move)
         refuse(procedure, each.line, "found another statement than a move; expected an approach or retract");
-      if (each.action == RapidAction::MoveJoints && run_.empty()) start_ = source_.joint_moves[each.index];
+      RapidWay way;
+      way.before = moves_.size();
+      way.line = each.line;
+      if (each.action == RapidAction::MoveJoints) {
+        way.joints = source_.joint_moves[each.index];
+      } else {
+        way.move = source_.moves[each.index];
+        way.move.is_heeded = is_heeded_;
+      }
+      ways_.push_back(std::move(way));
     }
   }
 
@@ -201,10 +258,12 @@ class RapidRun {
 
   const RapidSource& source_;
   PathAssembly assembly_{{std::string(kRapidNote), "the procedure", "the procedure"}};
-  std::vector<RapidMove> moves_;  ///< in the order in which they are run
+  std::vector<RapidMove> moves_;                      ///< in the order in which they are run
+  std::map<std::string, double> outputs_;             ///< values of analogue outputs as they stand
+  std::map<std::string, RapidLevelChange> triggers_;  ///< as they were last set up
   ProcessState process_ = ProcessState::Off;
   bool is_heeded_ = true;  ///< as a controller starts
-  std::optional<RapidJoints> start_;
+  std::vector<RapidWay> ways_;
   std::vector<const RapidProcedure*> run_;
 };
 
@@ -226,6 +285,7 @@ void addModule(const std::string& file, std::string_view text, RapidSource& sour
   RapidCursor cursor(text, source.files.back());
   readRapidModule(cursor, source);
   readWireStopNotes(source);
+  readLevelNotes(source);
 }
 
 RapidRunning runningOf(const RapidSource& source, const std::string& part_name) {

@@ -11,6 +11,7 @@
 
 #include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/program/rapid/rapid_settings.hpp"
 #include "program/rapid/reader/rapid_cursor.hpp"
 
 namespace lamina {
@@ -34,6 +35,7 @@ struct RapidMove {
   std::size_t module = 0;  ///< index of the file of the procedure that runs it
   bool is_heeded = false;  ///< whether its configuration is obeyed: it is executed under ConfL\On
   RapidArc arc = RapidArc::None;
+  std::vector<std::string> triggers;  ///< names of those that act on its way
 };
 
 /// Value of a jointtarget.
@@ -53,10 +55,18 @@ struct RapidWorkObject {
   Eigen::Isometry3d object = Eigen::Isometry3d::Identity();  ///< relative to the user frame [mm]
 };
 
+/// An analogue output that is set, at once or by a trigger.
+struct RapidLevelChange {
+  std::string signal;
+  double value = 0.0;
+  std::string trigger;  ///< its name; empty if it is set at once
+};
+
 enum class RapidAction : std::uint8_t {
   Move,        ///< the move with this `index`
   MoveJoints,  ///< the joint move with this `index`
   Heed,        ///< switches the obeying of configurations of linear moves on if `index` is 1, off if 0
+  Level,       ///< sets the level with this `index`, or has its trigger do so
   Set,         ///< sets an output
   Reset,       ///< resets an output
   Wait,        ///< a wait of the toolpath's, of `duration_s`
@@ -89,6 +99,8 @@ struct RapidSource {
   std::map<std::string, RapidWorkObject> work_objects;
   std::vector<RapidMove> moves;
   std::vector<RapidJoints> joint_moves;
+  std::vector<RapidLevelChange> level_changes;
+  std::vector<RapidLevel> levels;  ///< of the notes; names of outputs in lower case
   std::vector<std::string> called;
   std::map<std::string, RapidProcedure> procedures;
   std::vector<RapidComment> head;  ///< comments before the first procedure of the first module

@@ -123,6 +123,17 @@ void addTimed(const std::string& word, double duration_s, RapidSource& source) {
   source.process.insert(text + " s");
 }
 
+/// `lamina_level_1\T2:=lamina_level_2`.
+std::vector<std::string> takeTriggers(RapidCursor& cursor) {
+  std::vector<std::string> triggers = {cursor.takeName("the name of a trigger")};
+  for (int number = 2; cursor.take("\\"); ++number) {
+    cursor.expectWord("t" + std::to_string(number));
+    cursor.expect(":=");
+    triggers.push_back(cursor.takeName("the name of a trigger"));
+  }
+  return triggers;
+}
+
 /// After its first word.
 RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& word) {
   RapidMove move;
@@ -132,7 +143,7 @@ RapidMove takeMove(RapidCursor& cursor, RapidSource& source, const std::string& 
   move.feed_mm_s = takeSpeed(cursor, source);
   cursor.expect(",");
   if (word == "triggl") {
-    cursor.takeName("the name of a trigger");
+    move.triggers = takeTriggers(cursor);
     cursor.expect(",");
   }
   move.arc = *arcOf(word);
@@ -156,8 +167,35 @@ RapidJoints takeJointMove(RapidCursor& cursor, RapidSource& source) {
   return joints;
 }
 
+double takeSigned(RapidCursor& cursor, const char* expected) {
+  const double sign = cursor.take("-") ? -1.0 : 1.0;
+  return sign * cursor.takeNumber(expected);
+}
+
+void addLevelChange(RapidCursor& cursor, RapidSource& source, RapidStatement& statement,
+                    std::string trigger) {
+  RapidLevelChange change;
+  change.signal = cursor.takeName("the name of an analogue output");
+  cursor.expect(",");
+  change.value = takeSigned(cursor, "a value of the output");
+  change.trigger = std::move(trigger);
+  statement.action = RapidAction::Level;
+  statement.index = source.level_changes.size();
+  source.level_changes.push_back(std::move(change));
+}
+
+/// Behind `\Start`: `\AOp:=aoLaser,0.3`.
+void takeLevelTrigger(RapidCursor& cursor, RapidSource& source, RapidStatement& statement,
+                      const std::string& trigger) {
+  cursor.expect("\\");
+  cursor.expectWord("aop");
+  cursor.expect(":=");
+  addLevelChange(cursor, source, statement, trigger);
+}
+
 /// What prepares a program: signals, files, triggers. After its first word.
-bool skipPreparation(RapidCursor& cursor, RapidSource& source, const std::string& word) {
+bool takePreparation(RapidCursor& cursor, RapidSource& source, RapidStatement& statement,
+                     const std::string& word) {
   if (word == "aliasio") {
     const std::string on_controller =
         cursor.takeString("the signal's name on the controller in quotation marks");
@@ -170,15 +208,18 @@ bool skipPreparation(RapidCursor& cursor, RapidSource& source, const std::string
     cursor.takeName("the name of a mechanical unit");
   } else if (word == "waittime") {
     addTimed("wait", takeSum(cursor, source), source);
+  } else if (word == "setao") {
+    addLevelChange(cursor, source, statement, "");
   } else if (word == "waitdi") {
     cursor.takeName("the name of a signal");
     cursor.expect(",");
     cursor.expectWord("high");
   } else if (word == "triggio") {
-    cursor.takeName("the name of a trigger");
+    const std::string trigger = cursor.takeName("the name of a trigger");
     cursor.expect(",");
     const double lead = takeSum(cursor, source);
     cursor.expect("\\");
+    if (cursor.takeWord("start")) return takeLevelTrigger(cursor, source, statement, trigger), true;
     if (cursor.takeWord("time")) {
       addTimed("trigger", lead, source);
       cursor.expect("\\");
@@ -287,12 +328,13 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     } else if (word == "set" || word == "reset") {
       statement.action = word == "set" ? RapidAction::Set : RapidAction::Reset;
       source.process.insert(word + " " + cursor.takeName("the name of a signal"));
-    } else if (!skipPreparation(cursor, source, word)) {
+    } else if (!takePreparation(cursor, source, statement, word)) {
       if (!cursor.isNext(';'))
         cursor.refuseAt(
             statement.line,
             "found instruction '" + word +
-                "'; expected MoveL, TriggL, ArcLStart, ArcL, ArcLEnd, MoveAbsJ, Set, Reset, WaitTime, "
+                "'; expected MoveL, TriggL, ArcLStart, ArcL, ArcLEnd, MoveAbsJ, Set, Reset, SetAO, "
+                "WaitTime, "
                 "WaitDI, AliasIO, ConfL, SingArea, ActUnit, TriggIO, Load, UnLoad or a call");
       statement.action = RapidAction::Call;
       statement.index = source.called.size();

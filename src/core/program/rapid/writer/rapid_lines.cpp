@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "lamina/base/angle.hpp"
 #include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
@@ -17,6 +18,7 @@ constexpr int kOrientationDecimals = 7;
 constexpr int kAxisDecimals = 3;
 constexpr int kWaitDecimals = 3;      // s
 constexpr int kDistanceDecimals = 3;  // mm
+constexpr int kLevelDecimals = 6;
 
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
@@ -45,7 +47,8 @@ std::string rapidConfiguration(const RapidSettings& settings) {
   return text + "]";
 }
 
-std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings) {
+std::string rapidExternalAxes(std::vector<double> values, const RapidSettings& settings) {
+  if (values.empty() && settings.has_external_axis) values.push_back(settings.external_axis);
   const std::size_t count = settings.is_thesis_compatible ? 5 : 6;
   std::string text = "[";
   for (std::size_t i = 0; i < count; ++i) {
@@ -91,7 +94,8 @@ RapidLines::RapidLines(const Toolpath& toolpath, const RapidPlan& plan, const Ra
       bed_from_part_(bed_from_part),
       turn_(bed_from_part.linear()),
       settings_(settings),
-      fixed_axes_(rapidConfiguration(settings) + "," + rapidExternalAxes({settings.external_axis}, settings)),
+      levels_(rapidLevels(settings.levels)),
+      fixed_axes_(rapidConfiguration(settings) + "," + rapidExternalAxes({}, settings)),
       on_(startOfProcess(settings)),
       off_(endOfProcess(settings)) {
   if (settings.variant != RapidVariant::Powder5Axes) {
@@ -159,7 +163,7 @@ bool RapidLines::isArc(const RapidPlace& place) const {
 
 const char* RapidLines::instruction(const RapidPlace& place) const {
   if (isArc(place)) return startsAfter(place) ? "ArcLStart " : isRunEnd(place) ? "ArcLEnd " : "ArcL ";
-  return wireStopOn(place) != nullptr ? "TriggL " : "MoveL ";
+  return triggersOn(place).empty() ? "MoveL " : "TriggL ";
 }
 
 /// Null if the wire does not stop on the way of the move.
@@ -173,19 +177,86 @@ const RapidWireStop* RapidLines::wireStopOn(const RapidPlace& place) const {
   return is_there ? &*found : nullptr;
 }
 
+RapidPlace RapidLines::placeAfter(const RapidPlace& place) const {
+  return isLastMove(place) ? RapidPlace{place.path + 1, 0} : RapidPlace{place.path, place.move + 1};
+}
+
+bool RapidLines::isBead(const RapidPlace& place) const {
+  if (place.path >= plan_.paths.size()) return false;
+  const RapidPath& path = plan_.paths[place.path];
+  return path.deposits() && !(path.is_turned && place.move == 0);
+}
+
+/// What a bead's move asks for; nothing if its path does not state the value.
+std::optional<double> RapidLines::levelOn(const RapidPlace& place, const RapidLevel& level) const {
+  const RapidPath& path = plan_.paths[place.path];
+  for (const ProcessValue& value : path.path->values)
+    if (value.name == level.name)
+      return level.per * value.value.at(path.path->motionEnd(place.move - path.turnCount()));
+  return std::nullopt;
+}
+
+/// What the move before asks for, if it is one of the same run.
+std::optional<double> RapidLines::levelBefore(const RapidPlace& place, const RapidLevel& level) const {
+  const RapidPath& path = plan_.paths[place.path];
+  if (place.move > path.turnCount()) return levelOn({place.path, place.move - 1}, level);
+  if (path.switches_on || place.path == 0) return std::nullopt;
+  return levelOn({place.path - 1, plan_.paths[place.path - 1].moveCount() - 1}, level);
+}
+
+/// The value that a level takes where a move sets out; nothing if it keeps its own.
+std::optional<double> RapidLines::changedLevel(const RapidPlace& place, const RapidLevel& level) const {
+  if (!isBead(place)) return std::nullopt;
+  const std::optional<double> asked = levelOn(place, level);
+  return asked == levelBefore(place, level) ? std::nullopt : asked;
+}
+
+/// Names of the triggers on the way of a move: of the wire, and of levels that change where it sets out
+/// without coming to rest.
+std::vector<std::string> RapidLines::triggersOn(const RapidPlace& place) const {
+  std::vector<std::string> triggers;
+  if (wireStopOn(place) != nullptr) triggers.push_back(settings_.wire_trigger);
+  if (levels_.empty() || !isBead(place)) return triggers;
+  const RapidPath& path = plan_.paths[place.path];
+  RapidPlace before{place.path, place.move - 1};
+  if (place.move == 0) before = {place.path - 1, plan_.paths[place.path - 1].moveCount() - 1};
+  if (path.switches_on && place.move == path.turnCount()) return triggers;
+  if (isFine(before)) return triggers;
+  for (std::size_t k = 0; k < levels_.size(); ++k)
+    if (changedLevel(place, levels_[k])) triggers.push_back(rapidLevelTrigger(k));
+  return triggers;
+}
+
+/// Where the tip rests an output is set at once; otherwise by a trigger where the next move sets out, as the
+/// program runs ahead of the robot.
+void RapidLines::appendLevels(const RapidPlace& place, std::string& text) const {
+  const RapidPlace next = placeAfter(place);
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    const std::optional<double> value = changedLevel(next, levels_[k]);
+    if (!value) continue;
+    const std::string number = trimmedDecimals(*value, kLevelDecimals);
+    text += isFine(place) ? "SetAO " + levels_[k].signal + "," + number + ";"
+                          : "TriggIO " + rapidLevelTrigger(k) + ",0\\Start\\AOp:=" + levels_[k].signal + "," +
+                                number + ";";
+  }
+}
+
 /// What stands between two moves, but for arcs, whose moves switch the process.
 void RapidLines::appendProcess(const RapidPlace& place, std::string& text) const {
   const bool by_outputs = settings_.process == RapidProcess::Outputs;
-  if (by_outputs && isRunEnd(place)) text += off_;
+  if (by_outputs && isRunEnd(place)) {
+    text += off_;
+    for (const RapidLevel& level : levels_) text += "SetAO " + level.signal + ",0;";
+  }
   const double dwell_s = dwellAfter(toolpath_, plan_.paths, place.path, place.move);
   if (dwell_s > 0.0) {
     text += "WaitTime\\InPos,";
     appendDecimals(text, dwell_s, kWaitDecimals);
     text += ';';
   }
+  appendLevels(place, text);
   if (by_outputs && !isRunEnd(place) && startsAfter(place)) text += on_;
-  const RapidPlace next =
-      isLastMove(place) ? RapidPlace{place.path + 1, 0} : RapidPlace{place.path, place.move + 1};
+  const RapidPlace next = placeAfter(place);
   if (const RapidWireStop* stop = wireStopOn(next)) {
     text += "TriggIO " + settings_.wire_trigger + ",";
     appendDecimals(text, stop->distance_mm, kDistanceDecimals);
@@ -197,7 +268,10 @@ void RapidLines::appendTail(const RapidPlace& place, const std::string& speed, s
   const std::string& zone = isFine(place) ? settings_.end_zone : settings_.zone;
   const char* comma = settings_.variant == RapidVariant::Powder5Axes ? "," : ", ";
   text.append(comma).append(speed).append(comma);
-  if (wireStopOn(place) != nullptr) text.append(settings_.wire_trigger).append(comma);
+  const std::vector<std::string> triggers = triggersOn(place);
+  for (std::size_t t = 0; t < triggers.size(); ++t)
+    text.append(t == 0 ? "" : "\\T" + std::to_string(t + 1) + ":=").append(triggers[t]);
+  if (!triggers.empty()) text += comma;
   if (isArc(place)) text.append(arc_);
   text.append(zone).append(settings_.variant == RapidVariant::Powder3Axes ? ", " : ",").append(tail_);
 }
@@ -223,12 +297,10 @@ void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
   const JointValues& joints = path.is_turned && place.move == 0
                                   ? stations_->begin(place.path)
                                   : stations_->end(place.path, place.move - path.turnCount());
-  std::vector<double> external = externalAxes(*arm_, joints);
-  if (external.empty()) external.push_back(settings_.external_axis);
   text += (settings_.configuration == RapidConfiguration::Fixed
                ? rapidConfiguration(settings_)
                : rapidConfiguration(abbConfiguration(*arm_, joints))) +
-          "," + rapidExternalAxes(external, settings_);
+          "," + rapidExternalAxes(externalAxes(*arm_, joints), settings_);
 }
 
 }  // namespace lamina

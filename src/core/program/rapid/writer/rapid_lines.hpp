@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,10 @@ namespace lamina {
 /// Configuration of the settings: `[-1,0,0,2]`.
 std::string rapidConfiguration(const RapidSettings& settings);
 
-/// External axes with these values [mm, deg] first, and 9e+09 for the rest:
+/// External axes with these values [mm, deg] first, and 9e+09, not in use, for the rest. Without values the
+/// first is that of the settings, if these have one:
 /// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]`.
-std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings);
+std::string rapidExternalAxes(std::vector<double> values, const RapidSettings& settings);
 
 /// Configuration of joint values: `[0,-1,0,1]`.
 std::string rapidConfiguration(const AbbConfiguration& configuration);
@@ -59,6 +61,13 @@ class RapidLines {
   const char* instruction(const RapidPlace& place) const;
   const RapidWireStop* wireStopOn(const RapidPlace& place) const;
   void appendProcess(const RapidPlace& place, std::string& text) const;
+  RapidPlace placeAfter(const RapidPlace& place) const;
+  bool isBead(const RapidPlace& place) const;
+  std::optional<double> levelOn(const RapidPlace& place, const RapidLevel& level) const;
+  std::optional<double> levelBefore(const RapidPlace& place, const RapidLevel& level) const;
+  std::optional<double> changedLevel(const RapidPlace& place, const RapidLevel& level) const;
+  std::vector<std::string> triggersOn(const RapidPlace& place) const;
+  void appendLevels(const RapidPlace& place, std::string& text) const;
 
   const Toolpath& toolpath_;
   const RapidPlan& plan_;
@@ -66,6 +75,7 @@ class RapidLines {
   Eigen::Isometry3d bed_from_part_;
   Eigen::Quaterniond turn_;  ///< bed_from_part
   RapidSettings settings_;
+  std::vector<RapidLevel> levels_;
   std::string tail_;  ///< tool and work object
   std::string fixed_axes_;
   std::string arc_;  ///< arguments of arc moves

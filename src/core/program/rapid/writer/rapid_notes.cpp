@@ -51,7 +51,10 @@ void appendRapidNotes(const Toolpath& toolpath, const RapidPlan& plan, const Rap
     if (path.path->process.is_retracted) text += " retracted";
     if (path.is_turned) text += " turned";
     text.append(" ").append(count).append("\n");
-    if (path.deposits()) appendBeads(*path.path, text);
+    if (!path.deposits()) continue;
+    appendBeads(*path.path, text);
+    for (const ProcessValue& value : path.path->values)
+      text.append(kRapidNote).append("value ").append(value.name).append("\n");
   }
 }
 

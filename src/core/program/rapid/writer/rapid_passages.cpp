@@ -55,9 +55,7 @@ std::string jointTarget(const KinematicModel& arm, const JointValues& joints, co
     if (j > 0) text += ',';
     appendDecimals(text, toDegrees(six[j]), kJointDecimals);
   }
-  std::vector<double> external = externalAxes(arm, joints);
-  if (external.empty()) external.push_back(settings.external_axis);
-  return text + "]," + rapidExternalAxes(external, settings) + "]";
+  return text + "]," + rapidExternalAxes(externalAxes(arm, joints), settings) + "]";
 }
 
 class PassageWriter {
@@ -89,13 +87,11 @@ class PassageWriter {
       throw Unreachable("'" + arm_.name() + "' cannot retract " + numberText(settings_.approach_mm) +
                         " mm (rapid.approach_mm) from the last waypoint along the tool axis: " +
                         (joints ? *limitFault(*joints, arm_) : "out of reach"));
-    std::vector<double> external = externalAxes(arm_, *joints);
-    if (external.empty()) external.push_back(settings_.external_axis);
     return rapidPose(pose.translation(), Eigen::Quaterniond(pose.linear())) + "," +
            (settings_.configuration == RapidConfiguration::Fixed
                 ? rapidConfiguration(settings_)
                 : rapidConfiguration(abbConfiguration(arm_, *joints))) +
-           "," + rapidExternalAxes(external, settings_) + "]";
+           "," + rapidExternalAxes(externalAxes(arm_, *joints), settings_) + "]";
   }
 
   const KinematicModel& arm_;
@@ -123,6 +119,12 @@ RapidSettings withArmCell(RapidSettings settings, const KinematicModel& arm) {
   if (settings.tool_frame.empty()) settings.tool_frame = frameOf(cell.flange_from_nozzle);
   if (settings.work_object_frame.empty()) settings.work_object_frame = frameOf(cell.carrier_from_bed);
   if (settings.positioner.empty() && cell.is_bed_carried) settings.positioner = kStation;
+  if (settings.tool_mass_kg == 0.0 && cell.load) {
+    settings.tool_mass_kg = cell.load->mass_kg;
+    const Point3& centre = cell.load->centre_mm;
+    settings.tool_centre_of_gravity_mm = {rounded(centre.x(), 1e4), rounded(centre.y(), 1e4),
+                                          rounded(centre.z(), 1e4)};
+  }
   return settings;
 }
 

@@ -91,10 +91,22 @@ class Splitter {
   std::vector<RapidChunk> chunks_;
 };
 
+void requireLevels(const Toolpath& toolpath, const std::vector<RapidLevel>& levels) {
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
+      for (const ProcessValue& value : toolpath.layers[l].paths[p].values)
+        if (std::none_of(levels.begin(), levels.end(),
+                         [&](const RapidLevel& level) { return level.name == value.name; }))
+          throw InvalidInput("toolpath layer " + std::to_string(l) + ", path " + std::to_string(p) +
+                             ": states the process value '" + value.name +
+                             "'; expected an output for it in rapid.levels");
+}
+
 }  // namespace
 
 RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings) {
-  requireSupported(toolpath, {ProcessElement::Dwell}, "RAPID");
+  requireSupported(toolpath, {ProcessElement::Dwell, ProcessElement::Value}, "RAPID");
+  requireLevels(toolpath, rapidLevels(settings.levels));
   RapidPlan plan;
   plan.paths =
       robotPaths(toolpath, settings.variant == RapidVariant::Powder5Axes ? ToolTurns::Any : ToolTurns::None);

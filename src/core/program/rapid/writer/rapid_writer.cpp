@@ -70,6 +70,9 @@ std::string comments(const RapidHead& head, const RapidSettings& settings) {
   if (isWire(settings) && hasOutputs(settings))
     text.append(kRapidNote).append(kRapidWireStop).append(" ").append(shortestText(settings.wire_stop_s)) +=
         '\n';
+  for (const RapidLevel& level : rapidLevels(settings.levels))
+    text.append(kRapidNote).append(kRapidLevel).append(" " + level.name + " " + level.signal + " ") +=
+        shortestText(level.per) + "\n";
   std::string frames = head.frame_comments;
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (frames[i] == ';' && (i == 0 || frames[i - 1] == '\n')) frames[i] = '!';
@@ -87,10 +90,17 @@ std::string startPoint(const RapidHead& head, const RapidSettings& settings) {
   return text + rapidExternalAxes(head.external, settings) + "];\n";
 }
 
+/// What the controller is told of the load, and whether somebody has told it.
+std::string loadComment(const RapidSettings& settings) {
+  return "  ! load of the tool: " + shortestText(settings.tool_mass_kg) + " kg, centre at " +
+         list(settings.tool_centre_of_gravity_mm, 0, 3) + " mm over the flange" +
+         (settings.is_load_given ? "" : ", given by nobody: rapid.tool_mass_kg") + "\n";
+}
+
 std::string cell(const RapidHead& head, const RapidSettings& settings) {
   if (!settings.declares_cell) return "";
-  std::string text = "  PERS tooldata " + settings.tool + ":=[TRUE," + frame(settings.tool_frame) + ",[" +
-                     shortestText(settings.tool_mass_kg) + "," +
+  std::string text = loadComment(settings) + "  PERS tooldata " + settings.tool + ":=[TRUE," +
+                     frame(settings.tool_frame) + ",[" + shortestText(settings.tool_mass_kg) + "," +
                      list(settings.tool_centre_of_gravity_mm, 0, 3) + ",[1,0,0,0],0,0,0]];\n";
   // The user frame of a work object that a mechanical unit carries is the unit's own.
   const std::string bed = frame(settings.work_object_frame);
@@ -135,6 +145,8 @@ std::string processData(const RapidSettings& settings) {
     const bool is_input = alias.signal == settings.laser_ready_signal;
     text += std::string("  VAR ") + (is_input ? "signaldi " : "signaldo ") + alias.signal + ";\n";
   }
+  for (std::size_t k = 0; k < rapidLevels(settings.levels).size(); ++k)
+    text += "  VAR triggdata " + rapidLevelTrigger(k) + ";\n";
   if (!isWire(settings)) return text;
   return text + "  VAR triggdata " + settings.wire_trigger +
          ";\n  CONST num waiting1:=" + shortestText(settings.wire_lead_s) +
@@ -201,8 +213,20 @@ std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const Ra
 }
 
 RapidSettings settingsFor(const RapidSettings& settings, const RobotMotion* robot) {
-  const bool has_cell = robot != nullptr && isSixAxisArm(robot->arm);
-  return checkedRapidSettings(has_cell ? withArmCell(settings, robot->arm) : settings);
+  if (robot == nullptr || !isSixAxisArm(robot->arm)) return checkedRapidSettings(settings);
+  RapidSettings own = checkedRapidSettings(withArmCell(settings, robot->arm));
+  // Listings of the thesis state a value for an axis that its arms do not have.
+  if (own.external_axis == 0.0 && !own.is_thesis_compatible) own.has_external_axis = false;
+  return own;
+}
+
+std::string loadNoteOf(const RapidSettings& settings) {
+  if (!settings.declares_cell || settings.is_load_given) return "";
+  return "the module states a tool of " + shortestText(settings.tool_mass_kg) + " kg with its centre at " +
+         list(settings.tool_centre_of_gravity_mm, 0, 3) +
+         " mm over the flange, which nobody gave; expected rapid.tool_mass_kg and "
+         "rapid.tool_centre_of_gravity_mm, robot_program.tool_mass_kg, or mass_kg and centre_mm of the cell "
+         "file's tool: the controller brakes by it";
 }
 
 double riseOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
@@ -221,7 +245,6 @@ class RapidProgram::State {
         plan_(planRapid(toolpath, settings_)),
         speeds_(plan_.paths, settings_),
         lines_(toolpath, plan_, speeds_, bed_from_part, settings_) {
-    head_.external = {settings_.external_axis};
     if (robot != nullptr) {
       stations_.emplace(toolpath, bed_from_part, robot->arm, robot->joints);
       lines_.setRobot(robot->arm, *stations_);
@@ -229,8 +252,7 @@ class RapidProgram::State {
       if (settings_.configuration == RapidConfiguration::Joints)
         abbConfiguration(robot->arm, stations_->begin(0));
       if (isSixAxisArm(robot->arm)) {
-        const auto external = externalAxes(robot->arm, stations_->begin(0));
-        if (!external.empty()) head_.external = external;
+        head_.external = externalAxes(robot->arm, stations_->begin(0));
         head_.passages = rapidPassages(*robot, *stations_, plan_, speeds_.approach(), settings_);
       }
     } else if (settings_.configuration == RapidConfiguration::Joints) {
@@ -305,6 +327,10 @@ RapidProgram::RapidProgram(const Toolpath& toolpath, const Eigen::Isometry3d& be
 RapidProgram::~RapidProgram() = default;
 RapidProgram::RapidProgram(RapidProgram&&) noexcept = default;
 RapidProgram& RapidProgram::operator=(RapidProgram&&) noexcept = default;
+
+std::string rapidLoadNote(const RapidSettings& settings, const RobotMotion* robot) {
+  return loadNoteOf(settingsFor(settings, robot));
+}
 
 const std::vector<std::string>& RapidProgram::moduleNames() const { return state_->names(); }
 void RapidProgram::write(std::size_t module, const TextSink& sink) const { state_->write(module, sink); }

@@ -246,6 +246,8 @@ class FanucPrinter : public RobotPrinter {
       lines_.push_back("  WAIT " + decimalText(part_s, 2) + "(sec)");
   }
 
+  void add(const ToolStatement&) {}  // stands in the head
+
   void add(const FileCall& call) { lines_.push_back("  CALL " + call.name); }
 
   const RobotSite& site_;

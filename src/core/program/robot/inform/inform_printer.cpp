@@ -225,6 +225,8 @@ class InformPrinter : public RobotPrinter {
       instructions_.push_back("TIMER T=" + decimalText(part_s, 2));
   }
 
+  void add(const ToolStatement&) {}  // stands in the head
+
   void add(const FileCall& call) { instructions_.push_back("CALL JOB:" + call.name); }
 
   const RobotSite& site_;

@@ -217,6 +217,8 @@ class KrlPrinter : public RobotPrinter {
 
   void add(const ProgramWait& wait) { addLine("WAIT SEC " + trimmedDecimals(wait.duration_s, 3)); }
 
+  void add(const ToolStatement&) {}  // stands in the head
+
   void add(const FileCall& call) { addLine(call.name + "()"); }
 
   /// That of the tool on the controller, if no other is known: it goes with the tool.

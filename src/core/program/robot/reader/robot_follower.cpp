@@ -1,10 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/base/angle.hpp"
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
 #include "program/external_axes.hpp"
+#include "program/led_joints.hpp"
 #include "program/robot/reader/robot_run.hpp"
 
 namespace lamina {
@@ -31,35 +39,112 @@ void requireSameCell(const RobotHeadNotes& head, const KinematicModel& arm) {
   requireSameFrame("bed", head.bed, cell.carrier_from_bed, arm);
 }
 
+constexpr double kSameMassKg = 1e-3;    // the last digit of a statement
+constexpr double kSameCentreMm = 2e-3;  // likewise, of each coordinate
+
+std::string shownLoad(double mass_kg, const Point3& centre_mm) {
+  return numberText(mass_kg) + " kg with its centre at (" + numberText(centre_mm.x()) + ", " +
+         numberText(centre_mm.y()) + ", " + numberText(centre_mm.z()) + ") mm";
+}
+
+/// Statements act on the controller, whatever the notes have.
+void requireStatedTool(const StatedTool& stated, const RobotHeadNotes& head, const KinematicModel& arm) {
+  const Eigen::Isometry3d expected = controllerCell(arm).flange_from_nozzle;
+  const ToolStatement& tool = stated.what;
+  if (tool.flange_from_tip && !isSameCellFrame(*tool.flange_from_tip, expected))
+    throw InvalidProgram(stated.place + ": the tool is set to " + shownCellFrame(*tool.flange_from_tip) +
+                         "; expected " + shownCellFrame(expected) + ", that of '" + arm.name() + "'");
+  if (!tool.mass_kg) return;
+  const bool is_noted = head.load && std::abs(head.load->mass_kg - *tool.mass_kg) <= kSameMassKg &&
+                        (head.load->centre_mm - tool.centre_mm).norm() <= kSameCentreMm;
+  if (is_noted) return;
+  throw InvalidProgram(stated.place + ": the payload is set to " + shownLoad(*tool.mass_kg, tool.centre_mm) +
+                       "; expected " +
+                       (head.load ? shownLoad(head.load->mass_kg, head.load->centre_mm) + ", that of the note"
+                                  : "a note of this load"));
+}
+
+/// Follows the moves of a program with the joints of an arm.
+class RobotFollower {
+ public:
+  RobotFollower(const RobotRunning& running, const KinematicModel& arm, StatedMotion& motion)
+      : running_(running), arm_(arm), motion_(motion) {
+    last_ = JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()));
+  }
+
+  void add(const AssembledStation& station) {
+    const RunMove& move = running_.moves[station.move.index];
+    followWays(station.move.index);
+    Eigen::Isometry3d pose(station.move.orientation);
+    pose.translation() = station.move.point;
+    const auto joints = jointsAt(pose, move.external, move.line);
+    motion_.joints.at.push_back(station.at);
+    goOnInFile(motion_, running_.files[move.file]);
+    motion_.lines.push_back(move.line);
+    motion_.joints.values.push_back(joints.value_or(JointValues()));
+    if (!joints) motion_.joints.faults.push_back({station.at, JointFault::OutOfReach, kNoSolution});
+  }
+
+  /// Those before this move of the part.
+  void followWays(std::size_t move) {
+    for (; next_ < running_.ways.size() && running_.ways[next_].before <= move; ++next_)
+      follow(running_.ways[next_]);
+  }
+
+ private:
+  static constexpr const char* kNoSolution = "there is no solution";
+
+  void follow(const RunWay& way) {
+    StatedWay stated;
+    stated.line = way.line;
+    if (way.joints) {
+      stated.by = StatedMove::Joints;
+      stated.to = last_ = armJoints(running_.head.map, arm_, *way.joints);
+    } else {
+      const auto joints = jointsAt(way.pose, way.external, way.line);
+      stated.to = joints.value_or(JointValues());
+      if (!joints) stated.fault = kNoSolution;
+    }
+    is_far_ = true;
+    addWay(motion_, std::move(stated));
+  }
+
+  std::optional<JointValues> jointsAt(const Eigen::Isometry3d& pose, const std::vector<double>& external,
+                                      std::size_t line) {
+    const auto near = withExternalAxes(arm_, last_, external);
+    if (!near)
+      throw InvalidProgram("line " + std::to_string(line) + ": a move has " +
+                           std::to_string(external.size()) +
+                           " external axes; expected one for each external joint of '" + arm_.name() + "'");
+    std::optional<JointValues> joints;
+    if (is_far_) joints = ledJoints(arm_, last_, pose, *near);
+    if (!joints) joints = followingJoints(arm_, pose, *near);
+    if (joints) last_ = *joints;
+    is_far_ = false;
+    return joints;
+  }
+
+  const RobotRunning& running_;
+  const KinematicModel& arm_;
+  StatedMotion& motion_;
+  JointValues last_;
+  bool is_far_ = false;   ///< whether the arm comes from beside the part
+  std::size_t next_ = 0;  ///< way
+};
+
 }  // namespace
 
 StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm) {
-  if (!running.start)
+  if (running.ways.empty() || running.ways.front().before > 0 || !running.ways.front().joints)
     throw InvalidProgram(
         "no move of the joints comes to the part; expected one behind a note of an approach");
   requireSameCell(running.head, arm);
-  JointValues last = armJoints(running.head.map, arm, *running.start);
+  for (const StatedTool& stated : running.head.stated_tools) requireStatedTool(stated, running.head, arm);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;
-  for (const AssembledStation& station : running.program.stations) {
-    const RunMove& move = running.moves[station.move.index];
-    const auto near = withExternalAxes(arm, last, move.external);
-    if (!near)
-      throw InvalidProgram("line " + std::to_string(move.line) + ": a move has " +
-                           std::to_string(move.external.size()) +
-                           " external axes; expected one for each external joint of '" + arm.name() + "'");
-    Eigen::Isometry3d pose(station.move.orientation);
-    pose.translation() = station.move.point;
-    const auto joints = followingJoints(arm, pose, *near);
-    motion.joints.at.push_back(station.at);
-    goOnInFile(motion, running.files[move.file]);
-    motion.lines.push_back(move.line);
-    motion.joints.values.push_back(joints.value_or(JointValues()));
-    if (joints)
-      last = *joints;
-    else
-      motion.joints.faults.push_back({station.at, JointFault::OutOfReach, "there is no solution"});
-  }
+  RobotFollower follower(running, arm, motion);
+  for (const AssembledStation& station : running.program.stations) follower.add(station);
+  follower.followWays(running.moves.size());
   motion.toolpath = std::move(running.program.toolpath);
   return motion;
 }

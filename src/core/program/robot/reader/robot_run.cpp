@@ -70,12 +70,18 @@ int notedOutput(NoteWords& words) {
   return output;
 }
 
-/// In words, as a property of the cell that is to be the same.
-std::string notedLoad(NoteWords& words) {
-  const double mass_kg = boundedNumber(words, kHeaviestTool, "the mass of the tool in kg");
-  std::string text = "a tool of " + shortestText(mass_kg) + " kg with its centre at";
+NotedLoad notedLoad(NoteWords& words) {
+  NotedLoad load;
+  load.mass_kg = boundedNumber(words, kHeaviestTool, "the mass of the tool in kg");
   for (int axis = 0; axis < 3; ++axis)
-    text += " " + shortestText(boundedNumber(words, kFarthestFrame, "x y z of the tool's centre in mm"));
+    load.centre_mm[axis] = boundedNumber(words, kFarthestFrame, "x y z of the tool's centre in mm");
+  return load;
+}
+
+/// In words, as a property of the cell that is to be the same.
+std::string loadText(const NotedLoad& load) {
+  std::string text = "a tool of " + shortestText(load.mass_kg) + " kg with its centre at";
+  for (const double each : load.centre_mm) text += " " + shortestText(each);
   return text + " mm";
 }
 
@@ -154,7 +160,11 @@ class RobotRun {
     if (words.take("tool")) return head.tool = notedFrame(words), true;
     if (words.take("bed")) return head.bed = notedFrame(words), true;
     if (words.take("process")) return head.process_output = notedOutput(words), true;
-    if (words.take(kLoadNote)) return running_.equipment.process.insert(notedLoad(words)), true;
+    if (words.take(kLoadNote)) {
+      head.load = notedLoad(words);
+      running_.equipment.process.insert(loadText(*head.load));
+      return true;
+    }
     if (words.take(kDryFlagNote)) {
       running_.equipment.process.insert("dry run by variable " + std::to_string(notedOutput(words)));
       return true;
@@ -186,20 +196,22 @@ class RobotRun {
     const std::optional<ControllerJoints> noted = std::exchange(joints_, std::nullopt);
     if (move.pose && !noted)
       refuseAt(line_, "found a move of the joints to a pose; expected a note of these joints before it");
-    if (!running_.start) running_.start = move.pose ? *noted : move.joints;
+    RunWay way;
+    way.before = running_.moves.size();
+    way.joints = move.pose ? *noted : move.joints;
+    way.line = line_;
+    running_.ways.push_back(std::move(way));
   }
 
   void add(const TipMove& move) {
-    const bool is_way_back = passage_ == Passage::Approach && running_.start;
+    const bool is_way_back = passage_ == Passage::Approach && !running_.ways.empty();
     if (passage_ == Passage::Retract || is_way_back) {
       requireOff(passage_ == Passage::Retract ? "a retract" : "an approach");
       passage_ = Passage::None;
-      return;
+      return addWay(move);
     }
     for (const PathNote& note : notes_.take()) assembly_.addNote(note, *file_);
-    Eigen::Isometry3d pose(move.orientation);
-    pose.translation() = move.point;
-    if (move.is_over_base) pose = running_.head.bed.value_or(Eigen::Isometry3d::Identity()).inverse() * pose;
+    const Eigen::Isometry3d pose = overBed(move);
     AssembledMove assembled;
     assembled.point = pose.translation();
     assembled.orientation =
@@ -214,6 +226,22 @@ class RobotRun {
     if (running_.moves.empty()) equipment.external = move.external;
     equipment.moves_external |= equipment.external != move.external;
     running_.moves.push_back({move.external, line_, running_.files.size() - 1});
+  }
+
+  Eigen::Isometry3d overBed(const TipMove& move) const {
+    Eigen::Isometry3d pose(move.orientation);
+    pose.translation() = move.point;
+    if (!move.is_over_base) return pose;
+    return running_.head.bed.value_or(Eigen::Isometry3d::Identity()).inverse() * pose;
+  }
+
+  void addWay(const TipMove& move) {
+    RunWay way;
+    way.before = running_.moves.size();
+    way.pose = overBed(move);
+    way.external = move.external;
+    way.line = line_;
+    running_.ways.push_back(std::move(way));
   }
 
   void requireOff(const char* where) const {
@@ -257,6 +285,9 @@ class RobotRun {
       running_.equipment.process.insert("wait of " + shortestText(wait.duration_s) + " s");
   }
   void add(const FileCall&) {}
+  void add(const ToolStatement& tool) {
+    running_.head.stated_tools.push_back({tool, "'" + *file_ + "' line " + std::to_string(line_)});
+  }
 
   PathAssembly assembly_;
   PathNotes notes_;

@@ -24,10 +24,24 @@ struct RobotScriptFile {
   std::vector<ReadStatement> statements;
 };
 
+/// A statement that sets what the flange carries.
+struct StatedTool {
+  ToolStatement what;
+  std::string place;  ///< file and line, for errors
+};
+
+/// What the flange carries, by a note.
+struct NotedLoad {
+  double mass_kg = 0.0;
+  Point3 centre_mm = Point3::Zero();  ///< over the flange
+};
+
 /// What the notes at the beginning of a program state.
 struct RobotHeadNotes {
   std::optional<Eigen::Isometry3d> tool;  ///< pose of the nozzle over the flange [mm]
   std::optional<Eigen::Isometry3d> bed;   ///< pose of the bed over what carries it [mm]
+  std::optional<NotedLoad> load;
+  std::vector<StatedTool> stated_tools;  ///< of statements besides the notes
   bool is_bed_carried = false;
   int process_output = 1;
   std::vector<RobotLevel> levels;
@@ -42,11 +56,20 @@ struct RunMove {
   std::size_t file = 0;  ///< index in the files of the program
 };
 
+/// A move of an approach or a retract.
+struct RunWay {
+  std::size_t before = 0;                                  ///< number of moves of the part before it
+  std::optional<ControllerJoints> joints;                  ///< of a joint move
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to which a straight move leads [mm, bed]
+  std::vector<double> external;                            ///< of a straight move [mm, deg]
+  std::size_t line = 0;
+};
+
 /// A program in the order in which it is run.
 struct RobotRunning {
   AssembledProgram program;
   std::vector<RunMove> moves;  ///< by the index of the move in the stations
-  std::optional<ControllerJoints> start;
+  std::vector<RunWay> ways;    ///< in the order in which they are run
   RobotHeadNotes head;
   StatedEquipment equipment;
   std::vector<std::string> files;  ///< names, in the order they are run

@@ -150,9 +150,9 @@ class UrScriptParser {
     } else if (name == "sleep") {
       list_.add(ProgramWait{cursor.number(0.0, kLongestWait, "a wait in s")}, cursor.line());
     } else if (name == "set_tcp") {
-      urPoseOf(cursor);
+      list_.add(tool(cursor), cursor.line());
     } else if (name == "set_payload") {
-      readPayload(cursor);
+      list_.add(payload(cursor), cursor.line());
     } else if (name != "sync") {
       cursor.refuse(
           name,
@@ -162,15 +162,28 @@ class UrScriptParser {
     cursor.expect(")");
   }
 
-  /// `2.5, [0, 0, 0.1]`: nothing of the toolpath.
-  static void readPayload(LineCursor& cursor) {
-    cursor.number(0.0, kFarthestRead, "a mass in kg");
-    for (const char* mark : {",", ",", ","}) {
-      cursor.expect(mark);
-      cursor.take("[");
-      cursor.number(-kFarthestRead, kFarthestRead, "a coordinate in m");
+  static ToolStatement tool(LineCursor& cursor) {
+    const TipMove tip = urPoseOf(cursor);
+    Eigen::Isometry3d frame(tip.orientation);
+    frame.translation() = tip.point;
+    ToolStatement statement;
+    statement.flange_from_tip = frame;
+    return statement;
+  }
+
+  /// `2.5, [0, 0, 0.1]`.
+  static ToolStatement payload(LineCursor& cursor) {
+    ToolStatement statement;
+    statement.mass_kg = cursor.number(0.0, kFarthestRead, "a mass in kg");
+    cursor.expect(",");
+    cursor.expect("[");
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis > 0) cursor.expect(",");
+      statement.centre_mm[axis] =
+          kUrMillimetres * cursor.number(-kFarthestRead, kFarthestRead, "a coordinate in m");
     }
     cursor.expect("]");
+    return statement;
   }
 
   static JointMove joints(LineCursor& cursor) {

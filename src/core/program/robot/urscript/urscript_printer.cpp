@@ -240,6 +240,8 @@ class UrScriptPrinter : public RobotPrinter {
 
   void add(const ProgramWait& wait) { addLine("sleep(" + trimmedDecimals(wait.duration_s, 3) + ")"); }
 
+  void add(const ToolStatement&) {}  // stands in the head
+
   void add(const FileCall& call) {
     throw InvalidInput("a script cannot run the file '" + call.name +
                        "'; expected files that are run one by one");

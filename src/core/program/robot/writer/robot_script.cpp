@@ -65,6 +65,10 @@ RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settin
   if (job.robot == nullptr) return;
   stations_.emplace(job.toolpath, job.bed_from_part, job.robot->arm, job.robot->joints);
   cell_ = controllerCell(job.robot->arm);
+  if (settings_.tool_mass_kg > 0.0 || !cell_->load) return;
+  const Point3& centre = cell_->load->centre_mm;
+  settings_.tool_mass_kg = cell_->load->mass_kg;
+  settings_.tool_centre_of_gravity_mm = {centre.x(), centre.y(), centre.z()};
 }
 
 std::vector<JointKind> RobotScript::externalKinds() const {

@@ -54,6 +54,8 @@ class RobotScript {
   /// Posture of the arm at the start of a stretch; nothing without an arm.
   std::optional<ArmPosture> postureAtStart(const RobotStretch& stretch) const;
 
+  /// With the load of the cell where they state none.
+  const RobotProgramSettings& settings() const { return settings_; }
   const std::optional<ArmCell>& cell() const { return cell_; }
   /// Kinds of the external axes, in their order.
   std::vector<JointKind> externalKinds() const;

@@ -209,6 +209,7 @@ std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isome
   const std::string name = dialect.name(settings.name.empty() ? request.name : settings.name, settings);
   RobotSite site{settings, std::nullopt, controllerMap(request.language, settings), {}};
   const RobotScript script({toolpath, bed_from_part, robot}, settings, site.map);
+  site.settings = script.settings();
   site.cell = script.cell();
   site.external = script.externalKinds();
   RobotFiles writing(script, dialect, site);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/passages/passage_check.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/machine_check.hpp"
+#include "lamina/job/rapid_files.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/rapid/writer/rapid_writer.hpp"
+#include "lamina/program/robot/robot_reader.hpp"
+#include "lamina/program/robot/robot_writer.hpp"
+
+namespace lamina {
+namespace {
+
+StatedMotion rapidMotionAsWritten(const PlacedToolpath& placed, const RapidSettings& settings) {
+  const RobotMotion robot{placed.joints->model, placed.joints->path};
+  const RapidProgram program(placed.toolpath, placed.frame.bed_from_part, settings, &robot);
+  std::vector<std::string> texts(program.moduleNames().size());
+  std::vector<RapidText> modules;
+  modules.reserve(texts.size());
+  for (std::size_t m = 0; m < texts.size(); ++m) {
+    program.write(m, [&text = texts[m]](std::string_view piece) { text.append(piece); });
+    modules.push_back({program.moduleNames()[m] + ".mod", texts[m]});
+  }
+  return readRapidMotion(modules, placed.toolpath.part_name, robot.arm);
+}
+
+/// Nothing if the program is not read back, as with a tool other than that of the arm's description.
+std::optional<StatedMotion> motionAsWritten(const std::string& output, const PlacedToolpath& placed,
+                                            const ProgramSettings& program) {
+  const RobotMotion robot{placed.joints->model, placed.joints->path};
+  const std::string name = std::filesystem::path(output).stem().string();
+  std::vector<RobotFile> files;
+  if (!isRapidFile(output))
+    files = robotProgram(placed.toolpath, placed.frame.bed_from_part,
+                         {*robotLanguageOf(output), name, program.robot}, &robot);
+  try {
+    if (isRapidFile(output)) return rapidMotionAsWritten(placed, program.rapid);
+    return readRobotMotion(files, placed.toolpath.part_name, robot.arm);
+  } catch (const InvalidProgram&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void requireClearPassages(const std::string& output, const PlacedToolpath& placed,
+                          const ProgramSettings& program, const JobSettings& settings) {
+  if (settings.clearance.need == ClearanceNeed::Never || !placed.joints ||
+      !isSixAxisArm(placed.joints->model))
+    return;
+  std::optional<StatedMotion> motion = motionAsWritten(output, placed, program);
+  if (!motion) return;
+  const CheckedMachine machine(placed.joints->model);
+  const MachineCheck check = checkPassages(
+      passagesAsStated(machine.model(), *std::move(motion), settings.joints), machine, settings.clearance);
+  try {
+    requireClear(check, machine.model());
+  } catch (const Unreachable& refusal) {
+    const std::string key = isRapidFile(output) ? "rapid.approach_mm" : "robot_program.approach_mm";
+    throw Unreachable(std::string(refusal.what()) + "; try another way back from the part (" + key +
+                      "), or another place of it (placement)");
+  }
+}
+
+}  // namespace lamina

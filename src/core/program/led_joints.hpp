@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "lamina/kinematics/model/kinematic_model.hpp"
+
+namespace lamina {
+
+/// The joints at the end of a straight way of any length, on which a controller keeps to the solution that it
+/// set out with. The external axes move steadily to where they are in `to`.
+/// @param from  joints at the beginning
+/// @param to  joints with the external axes as they are at the end; of the other joints nothing is used
+/// @return nothing if a place on the way is out of reach; limits of joints are not checked
+std::optional<JointValues> ledJoints(const KinematicModel& arm, const JointValues& from,
+                                     const Eigen::Isometry3d& bed_from_nozzle, const JointValues& to);
+
+}  // namespace lamina
