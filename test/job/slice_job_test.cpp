@@ -167,6 +167,36 @@ TEST_F(SliceJobTest, ReportsItsStages) {
   EXPECT_EQ(watch.stages(), (std::set<std::string>{"read", "slice", "skins", "plan", "cool", "write"}));
 }
 
+/// Remembers what is reported of one stage.
+class StageWatch final : public Progress {
+ public:
+  explicit StageWatch(std::string stage) : stage_(std::move(stage)) {}
+  void report(const std::string& stage, double fraction) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (stage == stage_) fractions.push_back(fraction);
+  }
+  bool isCancelled() const override { return false; }
+
+  std::vector<double> fractions;
+
+ private:
+  std::mutex mutex_;
+  std::string stage_;
+};
+
+TEST_F(SliceJobTest, ReportsHowFarASingleLayerIsFlattened) {
+  // Tops of 100 and 300 mm2, the pieces of one layer.
+  writeStl(job_.part,
+           joined(test::boxBetween({0, 0, 0}, {10, 10, 5}), test::boxBetween({20, 0, 0}, {30, 30, 5})));
+  job_.settings.slicing.mode = "conformal";
+  job_.settings.conformal.thickness_mm = job_.settings.slicing.layer_height_mm;
+  StageWatch watch("flatten");
+  runSliceJob(job_, watch);
+  ASSERT_EQ(watch.fractions.size(), 2U);
+  EXPECT_NEAR(watch.fractions.front(), 0.25, 1e-9);
+  EXPECT_NEAR(watch.fractions.back(), 1.0, 1e-9);
+}
+
 TEST_F(SliceJobTest, WritesNothingWhenCancelled) {
   for (const char* stage : {"read", "slice", "plan", "write"}) {
     Watch watch(stage);

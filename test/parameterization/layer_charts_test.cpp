@@ -294,6 +294,36 @@ TEST(LayerCharts, FoldsTooSmallForABeadAreLeftOut) {
   EXPECT_TRUE(layerCharts(layer, settings).empty());
 }
 
+/// Remembers what is reported; cancels once it has heard enough.
+class ChartsHeard final : public Progress {
+ public:
+  explicit ChartsHeard(std::size_t enough) : enough_(enough) {}
+  void report(const std::string&, double fraction) override { fractions.push_back(fraction); }
+  bool isCancelled() const override { return fractions.size() >= enough_; }
+
+  std::vector<double> fractions;
+
+ private:
+  std::size_t enough_;
+};
+
+TEST(LayerCharts, SayHowMuchOfTheAreaIsDone) {
+  // A closed surface lies flat in no less than two pieces.
+  ChartsHeard heard(1000);
+  const std::vector<LayerChart> charts = layerCharts(layerOf(makePart("sphere")), {}, heard);
+  ASSERT_GE(heard.fractions.size(), charts.size());
+  EXPECT_TRUE(std::is_sorted(heard.fractions.begin(), heard.fractions.end()));
+  EXPECT_GT(heard.fractions.front(), 0.0);
+  EXPECT_LT(heard.fractions.front(), 1.0);
+  EXPECT_NEAR(heard.fractions.back(), 1.0, 1e-6);
+}
+
+TEST(LayerCharts, StopBetweenThePiecesOfOneLayer) {
+  ChartsHeard heard(1);
+  EXPECT_THROW(layerCharts(layerOf(makePart("sphere")), {}, heard), Cancelled);
+  EXPECT_EQ(heard.fractions.size(), 1U);
+}
+
 TEST(LayerCharts, AnEmptyLayerHasNone) { EXPECT_TRUE(layerCharts({}, {}).empty()); }
 
 }  // namespace

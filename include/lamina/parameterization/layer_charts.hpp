@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lamina/base/progress.hpp"
 #include "lamina/parameterization/flattening_settings.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
 
@@ -25,8 +26,13 @@ namespace lamina {
 ///
 /// @return the charts of each connected piece of the layer after those of the one before, in the order of the
 ///   layer's triangles; none for an empty layer
+/// @param progress  receives "flatten", by area; a cancel is heard before each step on a piece
 /// @throws InvalidMesh naming the place [mm] if a piece that is not left out still has no parameterization
-///   after 30 cuts
+///   after 30 cuts; Cancelled
+std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings,
+                                    Progress& progress);
+
+/// The same, of layers that are too small to report or to cancel.
 std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings);
 
 }  // namespace lamina

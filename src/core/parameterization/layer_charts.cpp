@@ -294,6 +294,27 @@ std::optional<std::vector<Point2>> parameterizationOf(const Piece& piece, const 
   return std::nullopt;
 }
 
+/// What is done of a layer, for all its pieces.
+class Ticks {
+ public:
+  Ticks(double area_mm2, Progress& progress) : area_mm2_(area_mm2), progress_(progress) {}
+
+  /// @throws Cancelled
+  void heed() const { throwIfCancelled(progress_, kStage); }
+
+  void finish(double area_mm2) {
+    done_mm2_ += area_mm2;
+    if (area_mm2_ > 0.0) progress_.report(kStage, std::min(1.0, done_mm2_ / area_mm2_));
+  }
+
+ private:
+  static constexpr const char* kStage = "flatten";
+
+  double area_mm2_;
+  Progress& progress_;
+  double done_mm2_ = 0.0;
+};
+
 /// Both sides of the zero line of the cutting field, in connected pieces.
 std::vector<Piece> cutInTwo(const Piece& piece) {
   std::vector<double> field = cuttingField(piece.surface.middle);
@@ -316,9 +337,12 @@ std::vector<Piece> cutAlong(const Creases& creases, const Piece& piece) {
   return parts;
 }
 
-void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<LayerChart>& charts) {
+void addCharts(Piece piece, const FlatteningSettings& settings, Ticks& ticks,
+               std::vector<LayerChart>& charts) {
+  ticks.heed();
   const Mesh& mesh = piece.surface.middle;
-  if (surfaceArea(mesh) <= kNothing) return;
+  const double area_mm2 = surfaceArea(mesh);
+  if (area_mm2 <= kNothing) return;
   const MeshTopology topology = pairHalfEdges(mesh);
   Creases creases;
   std::optional<std::vector<Point2>> parameterization;
@@ -330,20 +354,30 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
   if (parameterization) {
     charts.push_back({std::move(piece.surface), std::move(*parameterization)});
     layOverProjection(charts.back());
+    ticks.finish(area_mm2);
     return;
   }
-  if (surfaceArea(mesh) <= kLeastShare * beadArea(piece.surface)) return;
+  if (area_mm2 <= kLeastShare * beadArea(piece.surface)) return ticks.finish(area_mm2);
+  ticks.heed();
   for (Piece& part : divide(creases) ? cutAlong(creases, piece) : cutInTwo(piece))
-    addCharts(std::move(part), settings, charts);
+    addCharts(std::move(part), settings, ticks, charts);
 }
 
 }  // namespace
 
-std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings) {
+std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings,
+                                    Progress& progress) {
+  Ticks ticks(surfaceArea(layer.middle), progress);
   std::vector<LayerChart> charts;
-  for (LayerSurface& piece : connectedPieces(layer)) addCharts({std::move(piece), 0}, settings, charts);
+  for (LayerSurface& piece : connectedPieces(layer))
+    addCharts({std::move(piece), 0}, settings, ticks, charts);
   moveApart(charts);
   return charts;
+}
+
+std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings) {
+  NoProgress progress;
+  return layerCharts(layer, settings, progress);
 }
 
 }  // namespace lamina

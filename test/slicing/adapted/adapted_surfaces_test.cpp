@@ -7,21 +7,24 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "slicing/adapted/harmonic_heights.hpp"
+#include "slicing/curved/layer_coverage.hpp"
+#include "slicing/curved/part_samples.hpp"
 #include "support/lofted_solid.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
 namespace {
 
-std::vector<LayerSurface> surfacesOf(const Mesh& mesh, double height_mm) {
+std::vector<LayerSurface> surfacesOf(const Mesh& mesh, double height_mm, double step_mm = 2.0) {
   SlicingSettings slicing;
   slicing.layer_height_mm = height_mm;
   slicing.first_layer_height_mm = height_mm;
   AdaptedSettings settings;
-  settings.step_mm = 1.0;
+  settings.step_mm = 0.5 * step_mm;
   NoProgress progress;
-  return adaptedSurfaces(adaptedLayers(mesh, slicing, settings, progress), 0.0, 2.0, progress);
+  return adaptedSurfaces(adaptedLayers(mesh, slicing, settings, progress), 0.0, step_mm, progress);
 }
 
 TEST(AdaptedSurfaces, OfAConeArePlane) {
@@ -42,7 +45,8 @@ TEST(AdaptedSurfaces, OfAConeArePlane) {
       const Point3 middle = surface.tip[v] - 0.5 * surface.height_mm[v] * surface.normal[v];
       EXPECT_LE((surface.middle.vertices[v] - middle).norm(), 1e-12);
     }
-    const double radius = 15.0 - slope * static_cast<double>(k + 1) * rise_mm;
+    // Where the wall is half way up the layer.
+    const double radius = 15.0 - slope * (static_cast<double>(k) + 0.5) * rise_mm;
     EXPECT_NEAR(surfaceArea(surface.middle), 45.0 * radius * radius * std::sin(M_PI / 45.0), 0.5);
   }
 }
@@ -80,6 +84,49 @@ TEST(AdaptedSurfaces, FillAPartWithAnUnevenTop) {
   }
   // Rims that stand on the wall alone count twice, wedges thinner than a quarter of a layer not at all.
   EXPECT_NEAR(filled_mm3 / volume(mesh), 1.0, 0.03);
+}
+
+/// The share of the part in no layer and in more than one, by 20 000 points.
+std::pair<double, double> openAndDouble(const Mesh& part, double height_mm) {
+  const PartSamples samples(part, 20000);
+  const std::vector<LayerSurface> surfaces = surfacesOf(part, height_mm, 0.5);
+  NoProgress progress;
+  double open = 0.0, twice = 0.0;
+  for (const std::uint32_t count : layerCounts(samples, {surfaces, {}, {}}, progress)) {
+    open += count == 0 ? 1.0 : 0.0;
+    twice += count > 1 ? 1.0 : 0.0;
+  }
+  const auto all = static_cast<double>(samples.points().size());
+  return {open / all, twice / all};
+}
+
+/// The share of a part that steps of its leaning faces leave open if they lie half in and half out: triangles
+/// of half a step's rise and half its run, for layers that are this high along the face.
+double openInSteps(const Mesh& part, double height_mm) {
+  double steps_mm3 = 0.0;
+  for (const Triangle& corner : part.triangles) {
+    const Point3& a = part.vertices[corner[0]];
+    const Point3 area = 0.5 * (part.vertices[corner[1]] - a).cross(part.vertices[corner[2]] - a);
+    const Point3 normal = area.normalized();
+    steps_mm3 += area.norm() * height_mm * std::abs(normal.z()) * normal.head<2>().norm() / 8.0;
+  }
+  return steps_mm3 / volume(part);
+}
+
+TEST(AdaptedSurfaces, LeaveLittleMoreThanStepsOpen) {
+  struct Case {
+    const char* part;
+    double most_open;
+    double beside_steps;
+  };
+  for (const Case& one : {Case{"cone", 0.005, 0.002}, Case{"pyramid", 0.005, 0.002},
+                          Case{"tetradecahedron", 0.005, 0.003}, Case{"bevelled_cube", 0.0105, 0.006}}) {
+    const Mesh part = makePart(one.part);
+    const auto [open, twice] = openAndDouble(part, 0.2);
+    EXPECT_LE(open, one.most_open) << one.part;
+    EXPECT_LE(open, openInSteps(part, 0.2) + one.beside_steps) << one.part;
+    EXPECT_LE(twice, 0.005) << one.part;
+  }
 }
 
 TEST(HarmonicHeights, OfALinearBorderAreLinear) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "support/curved_parts.hpp"
@@ -47,6 +48,19 @@ TEST(ConformalLayers, ACoatLooksWhereItIsReportedTo) {
   for (const Point3& p : layers.layers[0].middle.vertices) EXPECT_NEAR(p.x(), 10.25, 1e-9);
   for (const Point3& p : layers.layers[1].tip) EXPECT_NEAR(p.x(), 11.0, 1e-9);
   EXPECT_NEAR(layers.deposited_mm3, 400.0, 1e-6);
+}
+
+TEST(ConformalLayers, AreCancelledWhileFacesAreChosen) {
+  class AlwaysCancelled final : public Progress {
+    void report(const std::string&, double) override {}
+    bool isCancelled() const override { return true; }
+  } stopped;
+  try {
+    coatingLayers(makePart("sphere"), {}, 0.3, stopped);
+    FAIL() << "not cancelled";
+  } catch (const Cancelled& cancelled) {
+    EXPECT_STREQ(cancelled.what(), "cancelled during choose faces");
+  }
 }
 
 TEST(ConformalLayers, WhatLiesBelowOtherMaterialGetsNoCoat) {

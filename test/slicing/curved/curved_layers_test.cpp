@@ -211,6 +211,38 @@ TEST(CurvedLayers, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(many.coverage.open, few.coverage.open);
 }
 
+/// What is between two words of a message.
+double numberBetween(const std::string& text, const std::string& before, const std::string& after) {
+  const std::size_t begin = text.find(before);
+  if (begin == std::string::npos || text.find(after, begin) == std::string::npos) return -1.0;
+  return std::stod(text.substr(begin + before.size()));
+}
+
+TEST(CurvedLayers, OneVoidRefusesThePartWithItsPlaceItsVolumeAndTheLimit) {
+  const Mesh part = leaningSphere();
+  CurvedSettings settings;
+  settings.largest_gap_percent = 50.0;
+  settings.largest_void_mm3 = 1e9;
+  NoProgress progress;
+  const CurvedLayers whole = curvedLayers(part, pairHalfEdges(part), settings, 1.5, progress);
+  const double open_mm3 = whole.coverage.open * volume(part);
+  settings.largest_void_mm3 = 0.5;
+  try {
+    curvedLayers(part, pairHalfEdges(part), settings, 1.5, progress);
+    FAIL() << "not refused, with " << open_mm3 << " mm3 open in all";
+  } catch (const Unsliceable& refusal) {
+    const std::string message = refusal.what();
+    const double void_mm3 = numberBetween(message, "a void of about ", " mm3 would be left open around (");
+    EXPECT_GT(void_mm3, 0.5) << message;
+    EXPECT_LE(void_mm3, open_mm3 + 0.5) << message;
+    EXPECT_NE(message.find("expected at most 0.5 mm3 (curved.largest_void_mm3)"), std::string::npos);
+    const double x = numberBetween(message, "open around (", ") mm;");
+    EXPECT_GT(x, boundingBox(part).low.x()) << message;
+    EXPECT_LT(x, boundingBox(part).high.x()) << message;
+    EXPECT_FALSE(refusal.region().triangles.empty());
+  }
+}
+
 TEST(CurvedLayers, CanBeCancelled) {
   class Stopped final : public Progress {
    public:

@@ -11,10 +11,10 @@
 namespace lamina {
 
 /// The layer surfaces that are bounded by adapted curves, on which the inside of the walls can be filled;
-/// [Flores2018] has walls only. A surface covers the area that the curves of its layer enclose seen from
-/// above. Its height equals that of the curves on the border, and satisfies Laplace's equation inside. Tips
-/// on the border lie on the curves, at their points and at points inserted between them. The thickness is the
-/// distance to the surface below, for the lowest layer to the level bottom of the part.
+/// [Flores2018] has walls only. A surface covers, seen from above, what the wall encloses half way between
+/// the curves of its layer and those below, so that layers of leaning walls hold what the part does. Its
+/// height equals that of the curves on the border, and satisfies Laplace's equation inside. The thickness is
+/// the distance to the surface below, for the lowest layer to the level bottom of the part.
 ///
 /// @param bottom_mm  z of the part's bottom [part frame]
 /// @param step_mm    distance between points inside

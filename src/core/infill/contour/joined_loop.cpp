@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "geometry/spatial/box_tree.hpp"
 #include "infill/contour/loop_link.hpp"
 #include "infill/fill_seed.hpp"
 
@@ -40,6 +43,48 @@ std::vector<Loop> bordersOf(const ContourTree& tree) {
   return borders;
 }
 
+/// Loops among which others are looked up: near a place, and whether any is not joined yet. In their order.
+class LoopList {
+ public:
+  void add(std::size_t loop) { loops_.push_back(loop); }
+
+  /// Whether a loop belongs to another group than this one. Groups only ever merge: the first loops that
+  /// are known to be of one group stay so, and are not asked again.
+  bool hasOtherThan(std::size_t group, const LoopGraph& net) {
+    if (loops_.empty()) return false;
+    const std::size_t first = net.groupOf(loops_.front());
+    if (first != group) return true;
+    while (alike_ < loops_.size() && net.groupOf(loops_[alike_]) == first) ++alike_;
+    return alike_ < loops_.size();
+  }
+
+  /// Appends those whose boxes overlap a box.
+  void appendNear(const Box2& box, const std::vector<Loop>& of, std::vector<std::size_t>& near) {
+    if (loops_.empty()) return;
+    if (!tree_) tree_.emplace(boxes(of));
+    std::vector<std::uint32_t> found;
+    tree_->visitOverlapping(raised(box), [&](std::uint32_t i) { found.push_back(i); });
+    std::sort(found.begin(), found.end());
+    for (const std::uint32_t i : found) near.push_back(loops_[i]);
+  }
+
+ private:
+  static Box3 raised(const Box2& box) {
+    return {{box.low.x(), box.low.y(), 0.0}, {box.high.x(), box.high.y(), 0.0}};
+  }
+
+  std::vector<Box3> boxes(const std::vector<Loop>& of) const {
+    std::vector<Box3> all;
+    all.reserve(loops_.size());
+    for (const std::size_t loop : loops_) all.push_back(raised(of[loop].box()));
+    return all;
+  }
+
+  std::vector<std::size_t> loops_;
+  std::size_t alike_ = 0;
+  std::optional<BoxTree> tree_;
+};
+
 class Joiner {
  public:
   Joiner(LoopGraph& net, const ContourTree& tree, const InfillRequest& request, std::size_t region)
@@ -49,11 +94,15 @@ class Joiner {
         scale_(request.spacing_mm / request.pitch_mm),
         random_(randomOf(settings_.seed, request, region)),
         loops_of_(tree.parents.size()),
-        children_(tree.parents.size()) {
+        loops_below_(tree.parents.size()) {
+    std::vector<std::vector<std::size_t>> of_node(tree.parents.size());
     for (std::size_t loop = 0; loop < tree.loops.size(); ++loop)
-      loops_of_[tree.loops[loop].node].push_back(loop);
-    for (std::size_t node = 1; node < tree.parents.size(); ++node)
-      children_[tree.parents[node]].push_back(node);
+      of_node[tree.loops[loop].node].push_back(loop);
+    for (std::size_t node = 0; node < of_node.size(); ++node)
+      for (const std::size_t loop : of_node[node]) {
+        loops_of_[node].add(loop);
+        if (node > 0) loops_below_[tree.parents[node]].add(loop);
+      }
   }
 
   void join() {
@@ -74,35 +123,49 @@ class Joiner {
   }
 
  private:
-  std::vector<std::size_t> outerNeighbours(std::size_t loop) const {
-    return loops_of_[tree_.parents[tree_.loops[loop].node]];
-  }
+  using Neighbours = std::vector<LoopList*>;
 
-  std::vector<std::size_t> allNeighbours(std::size_t loop) const {
+  Neighbours outerNeighbours(std::size_t loop) { return {&loops_of_[tree_.parents[tree_.loops[loop].node]]}; }
+
+  Neighbours allNeighbours(std::size_t loop) {
     const std::size_t node = tree_.loops[loop].node;
     const std::size_t parent = tree_.parents[node];
-    std::vector<std::size_t> all;
-    const auto add = [&](std::size_t of) {
-      for (const std::size_t other : loops_of_[of])
-        if (other != loop) all.push_back(other);
-    };
-    add(parent);
-    for (const std::size_t sibling : children_[parent]) add(sibling);
-    for (const std::size_t child : children_[node]) add(child);
-    return all;
+    return {&loops_of_[parent], &loops_below_[parent], &loops_below_[node]};
   }
+
+  /// Those of other groups that a link from the loop can reach.
+  std::vector<std::size_t> withinReach(std::size_t loop, const Neighbours& neighbours,
+                                       const LinkLimits& limits) const {
+    const Loop& line = net_.loops()[loop];
+    double widest = 0.0;
+    for (std::size_t edge = 0; edge < line.size(); ++edge) widest = std::max(widest, line.edgeWidth(edge));
+    // A little more, as rounding may take a link that just reaches.
+    const double reach = reachOf(scale_ * widest, limits) * (1.0 + kSamePoint) + kSamePoint;
+    const Box2 box{line.box().low - Point2(reach, reach), line.box().high + Point2(reach, reach)};
+    std::vector<std::size_t> near;
+    for (LoopList* list : neighbours) list->appendNear(box, net_.loops(), near);
+    const std::size_t group = net_.groupOf(loop);
+    near.erase(std::remove_if(near.begin(), near.end(),
+                              [&](std::size_t other) { return net_.groupOf(other) == group; }),
+               near.end());
+    return near;
+  }
+
+  static double reachOf(double apart, const LinkLimits& limits) { return limits.longest * 1.5 * apart; }
 
   /// Where the loop is to be cut first.
   double firstPlace(const Loop& loop) { return random_.uniform(0.0, loop.length()); }
 
-  bool joinToOthers(std::size_t loop, std::vector<std::size_t> others, const LinkLimits& limits) {
+  bool joinToOthers(std::size_t loop, const Neighbours& neighbours, const LinkLimits& limits) {
     const std::size_t group = net_.groupOf(loop);
-    others.erase(std::remove_if(others.begin(), others.end(),
-                                [&](std::size_t other) { return net_.groupOf(other) == group; }),
-                 others.end());
-    if (others.empty()) return false;
+    if (std::none_of(neighbours.begin(), neighbours.end(),
+                     [&](LoopList* list) { return list->hasOtherThan(group, net_); }))
+      return false;
     const Loop& line = net_.loops()[loop];
+    // Drawn for loops without any in reach too, so that what follows does not depend on how they are found.
     const double first = firstPlace(line);
+    const std::vector<std::size_t> others = withinReach(loop, neighbours, limits);
+    if (others.empty()) return false;
     const double step = 0.5 * distance(line, first, line, first);
     const int trials = std::max(8, static_cast<int>(std::ceil(line.length() / step)));
     for (int i = 0; i < trials; ++i) {
@@ -148,7 +211,7 @@ class Joiner {
                                    const LinkLimits& limits) const {
     const Loop& line = net_.loops()[loop];
     const Point2 start = line.pointAt(position);
-    const double reach = limits.longest * 1.5 * distance(line, position, line, position);
+    const double reach = reachOf(distance(line, position, line, position), limits);
     std::optional<std::size_t> onto;
     LoopPlace nearest{0.0, reach};
     for (const std::size_t other : others) {
@@ -174,9 +237,9 @@ class Joiner {
   const ContourSettings& settings_;
   double scale_;
   Random random_;
-  std::vector<Loop> borders_;                       ///< once links are tried that may reach across a hole
-  std::vector<std::vector<std::size_t>> loops_of_;  ///< of each node
-  std::vector<std::vector<std::size_t>> children_;  ///< of each node
+  std::vector<Loop> borders_;          ///< once links are tried that may reach across a hole
+  std::vector<LoopList> loops_of_;     ///< of each node
+  std::vector<LoopList> loops_below_;  ///< of each node's children
   std::size_t groups_ = 0;
 };
 

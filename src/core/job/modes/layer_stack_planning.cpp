@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/threads/joint_progress.hpp"
 #include "job/laps.hpp"
 #include "job/modes/stack_skins.hpp"
 #include "lamina/base/layer_error.hpp"
@@ -37,15 +38,21 @@ double meanHeight(const LayerSurface& surface) {
   return sum / static_cast<double>(surface.height_mm.size());
 }
 
-std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings) {
+std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings,
+                                 Progress& progress) {
   try {
-    return layerCharts(surface, settings);
+    return layerCharts(surface, settings, progress);
   } catch (const InvalidMesh& fault) {
     throw Unsliceable(fault.what(), surface.middle);
   }
 }
 
-ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
+/// What flattening a layer takes, in triangles.
+double sizeOf(const StackedSurface& layer) {
+  return 1.0 + static_cast<double>(layer.surface.middle.triangles.size());
+}
+
+ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings, Progress& progress) {
   ChartedLayer result;
   if (layer.surface.middle.triangles.empty()) {
     result.plan = std::move(layer.plane);
@@ -56,7 +63,7 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
   for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
   result.volume_mm3 = volume(layer.surface);
   result.plan.bounds = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
-  result.charts = chartsOf(layer.surface, settings);
+  result.charts = chartsOf(layer.surface, settings, progress);
   result.left_out_mm3 = result.volume_mm3;
   for (const LayerChart& chart : result.charts) result.left_out_mm3 -= volume(chart.surface);
   for (const LayerChart& chart : result.charts)
@@ -65,14 +72,34 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
 }
 
 /// Names the layer where it cannot be laid out flat.
-ChartedLayer chartedAt(std::size_t index, StackedSurface layer, const FlatteningSettings& settings) {
+ChartedLayer chartedAt(std::size_t index, StackedSurface layer, const FlatteningSettings& settings,
+                       Progress& progress) {
   double highest_mm = layer.plane.bounds.top_mm;
   for (const Point3& tip : layer.surface.tip) highest_mm = std::max(highest_mm, tip.z());
   try {
-    return charted(std::move(layer), settings);
+    return charted(std::move(layer), settings, progress);
+  } catch (const Cancelled&) {
+    throw;
   } catch (...) {
     rethrowAt(layerPlace(index, highest_mm));
   }
+}
+
+/// A coat has a few layers, each of which may take seconds: they report and stop on their way.
+std::vector<ChartedLayer> chartedLayers(std::vector<StackedSurface>& stack,
+                                        const FlatteningSettings& settings, Progress& progress) {
+  const std::string stage = "flatten";
+  double triangles = 0.0;
+  for (const StackedSurface& layer : stack) triangles += sizeOf(layer);
+  JointProgress joint(progress, stage);
+  std::vector<ChartedLayer> layers(stack.size());
+  parallelFor(layers.size(), [&](std::size_t i) {
+    throwIfCancelled(progress, stage);
+    JointProgress::Part part(joint, sizeOf(stack[i]) / triangles);
+    layers[i] = chartedAt(i, std::move(stack[i]), settings, part);
+    part.report(stage, 1.0);
+  });
+  return layers;
 }
 
 LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
@@ -102,11 +129,7 @@ std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers, double 
 PlannedPart planStack(SurfaceStack stack, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
-  std::vector<ChartedLayer> layers(stack.layers.size());
-  parallelFor(
-      layers.size(),
-      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack.layers[i]), settings.flattening); },
-      progress, "flatten");
+  std::vector<ChartedLayer> layers = chartedLayers(stack.layers, settings.flattening, progress);
   PlannedPart planned;
   planned.counts = countsOf(layers);
   planned.counts.slice_s = laps.lap();

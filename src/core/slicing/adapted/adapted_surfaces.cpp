@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/layer_error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -41,18 +42,28 @@ double heightAt(const AdaptedLayer& layer, const OutlinePlace& place) {
          place.fraction * points[(place.segment + 1) % points.size()].z();
 }
 
-/// Where the nozzle tip passes.
-Mesh tipMesh(const AdaptedLayer& layer, double step_mm) {
-  RegionTriangulation region = triangulated(outlinesOf(layer), step_mm);
-  std::vector<double> border;
-  for (const OutlinePlace& place : region.border) border.push_back(heightAt(layer, place));
-  const std::vector<double> heights = harmonicHeights(region, border);
-  Mesh mesh;
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    mesh.vertices.emplace_back(region.points[i].x(), region.points[i].y(), heights[i]);
-  mesh.triangles = std::move(region.triangles);
-  return mesh;
+/// The way level from a place on a loop to where the wall is half way down the layer.
+Point2 halfWayDown(const AdaptedLayer& layer, const OutlinePlace& place) {
+  const AdaptedCurve& loop = loopsOf(layer)[place.outline];
+  const auto ofPoint = [&loop](std::size_t i) -> Point2 {
+    return -0.5 * loop.height_mm[i] * loop.axis[i].head<2>();
+  };
+  return (1.0 - place.fraction) * ofPoint(place.segment) +
+         place.fraction * ofPoint((place.segment + 1) % loop.points.size());
 }
+
+bool hasFolds(const Mesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const Triangle& corner) {
+    const Point2 a = mesh.vertices[corner[0]].head<2>();
+    return cross(mesh.vertices[corner[1]].head<2>() - a, mesh.vertices[corner[2]].head<2>() - a) <= 0.0;
+  });
+}
+
+/// Where the nozzle tip passes, and across it.
+struct TipSurface {
+  Mesh mesh;
+  std::vector<Point3> normals;
+};
 
 /// Sums of one value per vertex over the corners of each triangle, added up at each of its corners.
 template <class OfTriangle>
@@ -79,17 +90,64 @@ std::vector<Point3> normalsOf(const Mesh& mesh) {
   return normals;
 }
 
+/// Across the layer: where a wall leans outwards, the rim reaches out over the layer below, and the way back
+/// to it is longer than the layer is high.
+double heightOver(const NearestTriangle& below, const Point3& point, const Point3& normal) {
+  return std::max(0.0, normal.dot(point - below.nearest(point).point));
+}
+
+/// The curves lie at the layer's top. Bounded by them, it would lack a wedge along all walls that lean
+/// inwards, and stick out of those that lean outwards: its rim is moved to where the wall is half way down.
+TipSurface tipSurface(const AdaptedLayer& layer, double step_mm) {
+  RegionTriangulation region = triangulated(outlinesOf(layer), step_mm);
+  std::vector<double> border;
+  for (const OutlinePlace& place : region.border) border.push_back(heightAt(layer, place));
+  const std::vector<double> heights = harmonicHeights(region, border);
+  TipSurface tip;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    tip.mesh.vertices.emplace_back(region.points[i].x(), region.points[i].y(), heights[i]);
+  tip.mesh.triangles = std::move(region.triangles);
+  tip.normals = normalsOf(tip.mesh);
+  Mesh moved = tip.mesh;
+  for (std::size_t i = 0; i < region.border.size(); ++i)
+    moved.vertices[i].head<2>() += halfWayDown(layer, region.border[i]);
+  // At sharp edges and where points lie close together the rim may pass its neighbours: it stays there.
+  if (!hasFolds(moved)) tip.mesh = std::move(moved);
+  return tip;
+}
+
+/// The surface that a layer lies on.
+class Ground {
+ public:
+  explicit Ground(const TipSurface& tip) : mesh_(tip.mesh), normals_(tip.normals), places_(tip.mesh) {}
+
+  /// How far below a point it is along a direction. Where a wall leans outwards, the rim reaches out over the
+  /// layer below; there the plane counts that continues it.
+  double depthBelow(const Point3& point, const Point3& upwards) const {
+    const NearestPlace place = places_.nearest(point);
+    Point3 normal = Point3::Zero();
+    for (const std::uint32_t corner : mesh_.triangles[place.triangle]) normal += normals_[corner];
+    normal.normalize();
+    return std::max(0.0, upwards.dot(point - place.point));
+  }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<Point3>& normals_;
+  NearestTriangle places_;
+};
+
 /// @param below  none for the lowest layer
-LayerSurface surfaceOn(const Mesh* below, double bottom_mm, const Mesh& tip) {
-  std::optional<NearestTriangle> places;
-  if (below != nullptr) places.emplace(*below);
+LayerSurface surfaceOn(const TipSurface* below, double bottom_mm, const TipSurface& tip) {
+  std::optional<NearestTriangle> ground;
+  if (below != nullptr) ground.emplace(below->mesh);
   LayerSurface surface;
-  surface.tip = tip.vertices;
-  surface.normal = normalsOf(tip);
-  surface.middle = tip;
-  for (std::size_t v = 0; v < tip.vertices.size(); ++v) {
-    const Point3& point = tip.vertices[v];
-    const double height = places ? places->nearest(point).distance_mm : point.z() - bottom_mm;
+  surface.tip = tip.mesh.vertices;
+  surface.normal = tip.normals;
+  surface.middle = tip.mesh;
+  for (std::size_t v = 0; v < surface.tip.size(); ++v) {
+    const Point3& point = surface.tip[v];
+    const double height = ground ? heightOver(*ground, point, surface.normal[v]) : point.z() - bottom_mm;
     surface.height_mm.push_back(height);
     surface.middle.vertices[v] = point - 0.5 * height * surface.normal[v];
   }
@@ -117,12 +175,12 @@ double highestTip(const AdaptedLayer& layer) {
 
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
                                           Progress& progress) {
-  std::vector<Mesh> tips(layers.layers.size());
+  std::vector<TipSurface> tips(layers.layers.size());
   parallelFor(
       tips.size(),
       [&](std::size_t k) {
         try {
-          tips[k] = tipMesh(layers.layers[k], step_mm);
+          tips[k] = tipSurface(layers.layers[k], step_mm);
         } catch (...) {
           rethrowAt(layerPlace(k, highestTip(layers.layers[k])));
         }

@@ -35,6 +35,8 @@ namespace {
 /// How much of a face lies open to what comes straight from a direction.
 enum class Sight : std::uint8_t { Open, Partial, Hidden };
 
+constexpr const char* kChoosing = "choose faces";
+
 constexpr double kDrawnIn = 1e-3;  // of the way from a corner to the middle
 constexpr double kSame = 1e-9;     // of the size of the mesh: no farther before a face is the face itself
 
@@ -117,12 +119,14 @@ Sight sightOf(const Seen& seen, const Corners& at) {
 /// @param faces      of the mesh, none without area
 /// @param direction  of unit length; from the mesh to where it is seen from
 /// @return for each of the faces; n log n in the faces of the mesh where few lie over each other
-std::vector<Sight> sightOf(const Mesh& mesh, const TriangleNumbers& faces, const Point3& direction) {
-  std::vector<Sight> sights;
-  if (faces.empty()) return sights;
+/// @throws Cancelled
+std::vector<Sight> sightOf(const Mesh& mesh, const TriangleNumbers& faces, const Point3& direction,
+                           Progress& progress) {
+  if (faces.empty()) return {};
   const Seen seen(mesh, direction);
-  sights.reserve(faces.size());
-  for (const std::uint32_t face : faces) sights.push_back(sightOf(seen, seen.corners(face)));
+  std::vector<Sight> sights(faces.size());
+  const auto see = [&](std::size_t i) { sights[i] = sightOf(seen, seen.corners(faces[i])); };
+  parallelFor(faces.size(), see, progress, kChoosing);
   return sights;
 }
 
@@ -165,14 +169,14 @@ struct CoatedFaces {
 
 /// The nozzle comes from the direction, and cannot come to what lies below other faces. A mesh with faces
 /// that are hidden in part is divided, so that they end where they are.
-CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings) {
+CoatedFaces coatedFaces(const Mesh& mesh, const ConformalSettings& settings, Progress& progress) {
   const Point3 direction = directionOf(settings);
   CoatedFaces coated{mesh, facesTowards(mesh, settings)};
-  std::vector<Sight> sights = sightOf(coated.mesh, coated.faces, direction);
+  std::vector<Sight> sights = sightOf(coated.mesh, coated.faces, direction, progress);
   if (std::count(sights.begin(), sights.end(), Sight::Partial) > 0) {
     coated.mesh = subdivide(mesh, settings.longest_edge_mm).mesh;
     coated.faces = facesTowards(coated.mesh, settings);
-    sights = sightOf(coated.mesh, coated.faces, direction);
+    sights = sightOf(coated.mesh, coated.faces, direction, progress);
   }
   TriangleNumbers open;
   for (std::size_t i = 0; i < sights.size(); ++i)
@@ -234,7 +238,7 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   requirePositive("slicing.layer_height_mm", layer_height_mm);
   requirePositive("conformal.thickness_mm", settings.thickness_mm);
   const double count = std::ceil(settings.thickness_mm / layer_height_mm - kRounding);
-  const CoatedFaces coated = coatedFaces(mesh, settings);
+  const CoatedFaces coated = coatedFaces(mesh, settings, progress);
   const Mesh rest = patchOf(coated.mesh, remainder(coated.mesh, coated.faces, {}));
   const SignedDistance part(mesh);
   std::optional<NearestTriangle> nearest_rest;
