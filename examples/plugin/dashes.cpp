@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A plug-in for Lamina: the infill strategy `dashes`, short beads on a grid with gaps between.
+// A plug-in for Lamina: the infill strategy `dashes`, short beads on a grid with gaps between, and the G-code
+// dialect `house`, whose firmware takes the words of Klipper.
 #include <lamina/base/plugin.hpp>
 #include <lamina/geometry/polygon/offset.hpp>
 #include <lamina/infill/strategy.hpp>
+#include <lamina/program/gcode/gcode_dialect.hpp>
+#include <lamina/program/gcode/gcode_writer.hpp>
 
 #include <cmath>
 #include <vector>
@@ -39,4 +42,12 @@ std::vector<FillPath> dashes(const Regions& regions, const InfillRequest& reques
 
 extern "C" int lamina_plugin_interface() { return lamina::kPluginInterface; }
 
-extern "C" void lamina_register() { lamina::infillStrategies().add("dashes", {dashes}); }
+extern "C" void lamina_register() {
+  lamina::infillStrategies().add("dashes", {dashes});
+  lamina::GcodeDialect house;
+  house.write = lamina::writeGcode;
+  house.advance = "klipper";        // of flow.advance_word
+  house.labels = "exclude_object";  // of plate.labels
+  house.progress = "M73 P{percent}";
+  lamina::gcodeDialects().add("house", house);
+}

@@ -47,7 +47,7 @@ JobSettings settingsFrom(const SliceArguments& arguments, const std::vector<Sett
   options.assignments.insert(options.assignments.begin(), first.begin(), first.end());
   if (arguments.is_strict) options.assignments.emplace_back("input.repair=strict");
   const LayeredSettings layered = layeredSettingsFrom(arguments.profiles, options);
-  validate(layered);
+  validate(layered, arguments.output);
   return layered.settings;
 }
 

@@ -57,6 +57,25 @@ class Plugin(unittest.TestCase):
         done = lamina("slice", "--print-config", "--plugin", PLUGIN)
         self.assertIn("contour | cubic | dashes | drops_contour", done.stdout)
 
+    def test_states_the_words_of_its_dialect(self):
+        program = self.output.replace(".csv", ".gcode")
+        asked = ["--set", "program.dialect=house", "--set", "flow.advance_s=0.05", "--set", "program.progress=true"]
+        done = lamina("slice", "box", "box", "-o", program, *asked, "--set", "plate.labels=exclude_object", "--plugin", PLUGIN)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = pathlib.Path(program).read_text(encoding="utf-8").splitlines()
+        self.assertEqual([line for line in lines if "ADVANCE" in line or "M900" in line], ["SET_PRESSURE_ADVANCE ADVANCE=0.05"])
+        self.assertIn("EXCLUDE_OBJECT_START NAME=box_1", lines)
+        self.assertIn("M73 P50", lines)
+
+    def test_lacks_the_words_that_its_dialect_does_not_state(self):
+        program = self.output.replace(".csv", ".gcode")
+        asked = ["-o", program, "--set", "program.dialect=house", "--plugin", PLUGIN]
+        for setting in "plate.labels=m486", "program.accelerations=true":
+            done = lamina("slice", "box", *asked, "--set", setting)
+            self.assertEqual(done.returncode, 1, setting)
+            self.assertIn(setting.split("=", maxsplit=1)[0], done.stderr)
+            self.assertIn("'house'", done.stderr)
+
     def test_without_it_the_strategy_is_unknown(self):
         done = lamina("slice", "box", "-o", self.output, *SETTINGS)
         self.assertEqual(done.returncode, 1)

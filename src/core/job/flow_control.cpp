@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "job/annotations/words_of_dialect.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/flow/flow.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -48,10 +49,13 @@ FlowSettings withWord(FlowSettings flow, const std::string& dialect) {
 void addAdvanceOf(SlicedPart& sliced, const JobSettings& settings) {
   const std::string& strategy = settings.planning.infill.strategy;
   if (!hasAdvance(settings.flow)) return;
-  if (!depositsDrops(strategy))
+  if (depositsDrops(strategy))
+    sliced.summary.notes.push_back("flow.advance_s has no effect with infill.strategy '" + strategy + "'");
+  else if (hasWordForAdvance(settings))
     addAdvance(sliced.toolpath, withWord(settings.flow, settings.program.dialect));
   else
-    sliced.summary.notes.push_back("flow.advance_s has no effect with infill.strategy '" + strategy + "'");
+    sliced.summary.notes.push_back("flow.advance_s has no effect with program.dialect '" +
+                                   settings.program.dialect + "', which has no word for it");
 }
 
 }  // namespace

@@ -13,8 +13,6 @@
 #include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/picture/thumbnail.hpp"
 #include "lamina/planning/plan_consistency.hpp"
-#include "lamina/program/gcode/gcode_dialect.hpp"
-#include "planning/flow/role_advances.hpp"
 
 namespace lamina {
 namespace {
@@ -202,26 +200,6 @@ void requireRunsFor(const JobSettings& settings) {
                         "'; expected one of them: the controller would weave across a woven way");
 }
 
-/// What firmware does not know it passes over, or it stops the job.
-void requireWordsOfDialect(const JobSettings& settings) {
-  const std::string& name = settings.program.dialect;
-  const GcodeDialect dialect = gcodeDialects().find(name);
-  const std::string with = " with program.dialect '" + name + "'";
-  const bool has_advance = dialect.has_extruder &&
-                           (settings.flow.advance_word != AdvanceWord::Dialect || !dialect.advance.empty());
-  if (hasAdvance(settings.flow) && !has_advance)
-    throw InvalidConfig((settings.flow.advance_s > 0.0
-                             ? "flow.advance_s is " + numberText(settings.flow.advance_s) + " s"
-                             : std::string("flow.advance_by_role states advances")) +
-                        with + ", which has no word for it; expected none" +
-                        (dialect.has_extruder ? ", or the word of its firmware as flow.advance_word" : ""));
-  const std::string labels = toString(settings.plate.labels);
-  if (settings.plate.labels != ObjectLabels::None && labels != dialect.labels)
-    throw InvalidConfig("plate.labels is '" + labels + "'" + with +
-                        ", which does not know them; expected 'none'" +
-                        (dialect.labels.empty() ? "" : " or '" + dialect.labels + "'"));
-}
-
 }  // namespace
 
 PlanSettings planOfPrinters() {
@@ -333,7 +311,6 @@ void validate(const JobSettings& settings) {
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
   requireCapable(settings);
-  requireWordsOfDialect(settings);
   requireRunsFor(settings);
   thumbnailsFrom(settings.program.thumbnails);
   const std::string& strategy = settings.planning.infill.strategy;

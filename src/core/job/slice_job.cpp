@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/annotations/words_of_dialect.hpp"
 #include "job/cooled_part.hpp"
 #include "job/first_layer_heat.hpp"
 #include "job/flow_control.hpp"
@@ -236,6 +237,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
+  requireWordsOfDialect(job.output, job.settings);
   requireProgramFor(job, space);
   requireSettingsOfLanguage(job);
   requireApart({job.output},

@@ -144,7 +144,26 @@ std::vector<Truth> truths() {
   };
 }
 
+std::vector<Truth> truthsOfTrials() {
+  return {// 40, 30, 20 and 10 mm wide, 4 mm high each; from above and below a square of 40 mm.
+          {"stepped_pyramid", {}, 4.0 * (1600 + 900 + 400 + 100), 2 * 1600.0 + 16.0 * (40 + 30 + 20 + 10)},
+          {"pillar_field",
+           {{"count", "3"}, {"segments", "60"}},
+           9 * 10.0 * polygonArea(1, 60),
+           9 * (2.0 * polygonArea(1, 60) + 10.0 * polygonPerimeter(1, 60))},
+          // 30 x 30 mm less 10 x 20 mm, 160 mm round.
+          {"u_channel", {}, 10.0 * 700, 2 * 700 + 10.0 * 160},
+          {"two_towers", {}, 2 * 3000.0, 2 * (200 + 1200.0)},
+          // What the niche takes from the side, its end has; its own sides are 2 (10 + 8) mm round.
+          {"roof_niche", {}, 8000.0 - 10 * 10 * 8, 2400.0 + 10.0 * 36},
+          // Voids of 12 x 12 mm, 11.8 mm high in all.
+          {"thin_roof", {}, 8000.0 - 144 * 11.8, 2400.0 + 4 * 144 + 48 * 11.8}};
+}
+
 INSTANTIATE_TEST_SUITE_P(Parts, KnownPart, testing::ValuesIn(truths()),
+                         [](const auto& truth) { return truth.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Trials, KnownPart, testing::ValuesIn(truthsOfTrials()),
                          [](const auto& truth) { return truth.param.name; });
 
 TEST(Parts, ASphereNearsItsVolumeWithTheSquareOfTheSegments) {
@@ -153,6 +172,31 @@ TEST(Parts, ASphereNearsItsVolumeWithTheSquareOfTheSegments) {
   const double fine = truth - volume(makePart("sphere", {{"segments", "80"}}));
   EXPECT_GT(fine, 0.0);
   EXPECT_NEAR(coarse / fine, 4.0, 0.05);
+}
+
+TEST(Parts, ADomeIsHalfOfASphere) {
+  const Mesh mesh = makePart("dome", {{"segments", "400"}});
+  const double truth = 2.0 / 3.0 * M_PI * 8000.0;
+  EXPECT_NEAR(volume(mesh), truth, 2e-4 * truth);
+  EXPECT_NEAR(boundingBox(mesh).high.z(), 20.0, 1e-9);
+  for (const Point3& vertex : mesh.vertices) EXPECT_NEAR(vertex.norm(), 20.0, 1e-9);
+}
+
+/// 30, 45, 60 and 75 deg: radii of 3 mm more than 5 mm times their tangents, 5 mm apart.
+TEST(Parts, ConesOfAnArrayLeanByEqualSteps) {
+  const Mesh mesh = makePart("cone_array", {{"segments", "96"}});
+  double width = 15.0;
+  double truth = 0.0;
+  for (const double degrees : {30.0, 45.0, 60.0, 75.0}) {
+    const double top = 3.0 + 5.0 * std::tan(degrees * M_PI / 180.0);
+    width += 2.0 * top;
+    truth +=
+        5.0 / 3.0 *
+        (polygonArea(3, 96) + polygonArea(top, 96) + std::sqrt(polygonArea(3, 96) * polygonArea(top, 96)));
+  }
+  EXPECT_NEAR(volume(mesh), truth, 1e-9 * truth);
+  EXPECT_NEAR(boundingBox(mesh).high.x(), 0.5 * width, 1e-9);
+  EXPECT_NEAR(boundingBox(mesh).low.x(), -0.5 * width, 1e-9);
 }
 
 TEST(Parts, ACurvedWallHasTheVolumeOfItsArc) {

@@ -2,20 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
 
-std::string dialectRefusal(const std::vector<SettingText>& set) {
+std::string dialectRefusal(const std::vector<SettingText>& set, const std::string& output = "box.gcode") {
+  LayeredSettings layered;
+  layered.settings = loadJobSettings("", set);
   try {
-    validate(loadJobSettings("", set));
+    validate(layered, output);
     return "";
   } catch (const InvalidConfig& error) {
     return error.what();
@@ -57,6 +61,23 @@ TEST(PressureAdvanceOfADialect, IsRefusedWhereNothingIsExtruded) {
               "flow.advance_s is 0.1 s with program.dialect 'grbl', which has no word for it; expected none");
   }
   EXPECT_EQ(dialectRefusal({{"program.dialect", "grbl"}}), "");
+}
+
+/// A table of the toolpath has no dialect; the note says what does not stand in it.
+TEST(PressureAdvanceOfADialect, BindsNoOutputsButGcode) {
+  const std::vector<SettingText> set = {{"program.dialect", "grbl"}, {"flow.advance_s", "0.1"}};
+  EXPECT_EQ(dialectRefusal(set, "box.csv"), "");
+  EXPECT_EQ(dialectRefusal(set, ""), "");
+  EXPECT_NE(dialectRefusal(set, "box.GCODE"), "");
+  const test::ScratchFolder folder;
+  NoProgress nobody;
+  const SlicedPart sliced = runSliceJob({"box", folder.file("box.csv"), loadJobSettings("", set)}, nobody);
+  const std::vector<std::string>& notes = sliced.summary.notes;
+  EXPECT_EQ(std::count(notes.begin(), notes.end(),
+                       "flow.advance_s has no effect with program.dialect 'grbl', which has no word for it"),
+            1);
+  EXPECT_THROW(runSliceJob({"box", folder.file("box.gcode"), loadJobSettings("", set)}, nobody),
+               InvalidConfig);
 }
 
 TEST(LabelsOfADialect, AreRefusedWhereItsFirmwareKnowsNone) {

@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounded{"machine.has_fan", "true", "false", "fan.use is true"},
                     Bounded{"machine.least_layer_mm", "0.2", "0.25", "slicing.layer_height_mm is 0.2"},
                     Bounded{"machine.greatest_layer_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"},
-                    Bounded{"machine.nozzle_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"}));
+                    Bounded{"machine.nozzle_mm", "0.25", "0.24", "slicing.layer_height_mm is 0.2"}));
 
 TEST(InfillOfSeveralLayers, IsNoHigherThanTheNozzleLays) {
   const SettingText of_three = {"infill.every_layers", "3"};
@@ -79,8 +79,7 @@ TEST(Layers, AreNoHigherThanTheNozzlesOfSupports) {
     return refusalOf(more);
   };
   const std::string refused =
-      "a layer height is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher than the "
-      "nozzles that lay it are wide";
+      "slicing.layer_height_mm is 0.3 mm; must be at most 0.2 mm, 0.8 of nozzle_mm of tool 1 in tools.list";
   const SettingText use = {"supports.use", "true"};
   EXPECT_EQ(refusalWith({use}), "");
   for (const char* key : {"supports.tool", "supports.interface_tool", "tool.support", "tool.interface"}) {
@@ -100,8 +99,7 @@ TEST(Layers, AreNoHigherThanTheNozzlesOfBrimsAndRafts) {
   const SettingText high = {"slicing.layer_height_mm", "0.3"};
   const SettingText low = {"slicing.layer_height_mm", "0.2"};
   const std::string refused =
-      "a layer height is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher than the "
-      "nozzles that lay it are wide";
+      "slicing.layer_height_mm is 0.3 mm; must be at most 0.2 mm, 0.8 of nozzle_mm of tool 1 in tools.list";
   EXPECT_EQ(refusalWith({high}), "") << "tool 1 lays nothing";
   EXPECT_EQ(refusalWith({high, {"brim.width_mm", "5"}}), refused);
   EXPECT_EQ(refusalWith({high, {"raft.layers", "3"}, {"raft.base_height_mm", "0.2"}}), refused);
@@ -111,6 +109,27 @@ TEST(Layers, AreNoHigherThanTheNozzlesOfBrimsAndRafts) {
       "raft.base_height_mm is 0.3 mm and nozzle_mm of tool 1 in tools.list 0.25 mm; a layer is no higher "
       "than the nozzles that lay it are wide");
   EXPECT_EQ(refusalWith({low, {"raft.layers", "3"}, {"raft.base_height_mm", "0.25"}}), "");
+}
+
+TEST(Layers, OfOneToolKeepToItsNozzleInTheFirstAsWell) {
+  const std::vector<SettingText> set = {{"tools.list.0.nozzle_mm", "0.4"},
+                                        {"slicing.layer_height_mm", "0.32"},
+                                        {"slicing.first_layer_height_mm", "0.4"}};
+  EXPECT_EQ(refusalOf(set), "") << "0.8 of the nozzle, and all of it on the bed";
+  std::vector<SettingText> higher = set;
+  higher.back().text = "0.41";
+  EXPECT_EQ(refusalOf(higher),
+            "slicing.first_layer_height_mm is 0.41 mm and nozzle_mm of tool 0 in tools.list 0.4 mm; a layer "
+            "is no higher than the nozzles that lay it are wide");
+}
+
+/// What a table of equal heights is refused for, equal layers are refused for.
+TEST(Layers, EqualOnesKeepToTheRuleOfATable) {
+  const SettingText nozzle = {"machine.nozzle_mm", "0.4"};
+  const SettingText first = {"slicing.first_layer_height_mm", "0.4"};
+  EXPECT_EQ(refusalOf({nozzle, first, {"slicing.layer_height_mm", "0.32"}}), "");
+  EXPECT_EQ(refusalOf({nozzle, first, {"slicing.layer_height_mm", "0.33"}}),
+            "slicing.layer_height_mm is 0.33 mm; must be at most 0.32 mm, 0.8 of machine.nozzle_mm");
 }
 
 TEST(AdaptiveLayers, KeepToWhatMachineAndNozzlesLay) {

@@ -118,8 +118,16 @@ TEST(GivingWay, AutoTriesModesWithoutCombing) {
     EXPECT_EQ(candidate.refusal.find("travel.comb"), std::string::npos) << candidate.refusal;
     EXPECT_EQ(candidate.refusal.find("compensation."), std::string::npos) << candidate.refusal;
   }
-  EXPECT_EQ(hasNote(sliced.summary.notes, "travel.comb of the profile is left out"),
-            !hasPlaneLayers(sliced.summary.mode));
+  EXPECT_EQ(sliced.summary.mode, "multi_direction");
+  EXPECT_TRUE(hasNote(sliced.summary.notes, "travel.comb of the profile is left out"));
+}
+
+TEST(GivingWay, AutoCombsPlaneLayers) {
+  NoProgress nobody;
+  const SlicedPart sliced =
+      runSliceJob({"box", "", on5Axes("abs", {{"slicing.mode", "auto"}}).settings}, nobody);
+  EXPECT_EQ(sliced.summary.mode, "planar");
+  EXPECT_FALSE(hasNote(sliced.summary.notes, "travel.comb"));
 }
 
 }  // namespace

@@ -115,9 +115,9 @@ TEST_F(MachineDefaultsTest, WhatIsStatedStays) {
   EXPECT_EQ(textIn(layered.settings, "adaptive.least_mm"), "0.18") << "no higher than the greatest";
   EXPECT_NO_THROW(validate(layered));
   sources.overrides = {{"slicing.layer_height_mm", "0.85"}};
-  EXPECT_EQ(
-      refusalOf(sources).rfind("slicing.layer_height_mm is 0.85 mm; must be at most machine.nozzle_mm", 0),
-      0U);
+  EXPECT_EQ(refusalOf(sources).rfind(
+                "slicing.layer_height_mm is 0.85 mm; must be at most 0.64 mm, 0.8 of machine.nozzle_mm", 0),
+            0U);
 }
 
 TEST_F(MachineDefaultsTest, HeightsKeepToWhatTheMachineLays) {

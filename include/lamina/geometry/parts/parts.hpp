@@ -18,8 +18,9 @@ struct PartParameter {
   std::string meaning;
 };
 
-/// Names of all parametric parts: bevelled_cube, blade, blind_hole_plate, box, bridge, cone, curved_wall,
-/// cylinder, flat_wall, pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
+/// Names of all parametric parts: bevelled_cube, blade, blind_hole_plate, box, bridge, cone, cone_array,
+/// curved_wall, cylinder, dome, elbow, flare, flat_wall, pillar_field, pyramid, roof_niche, semi_cone,
+/// sphere, stepped_pyramid, tee, tetradecahedron, thin_roof, through_hole_plate, tube, two_towers, u_channel.
 std::vector<std::string> partNames();
 
 /// Whether there is a part of that name.

@@ -61,4 +61,8 @@ void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const
 /// @throws InvalidConfig
 void validate(const LayeredSettings& layered);
 
+/// The same for a program that is to be written there: its format may lack what settings ask for.
+/// @throws InvalidConfig
+void validate(const LayeredSettings& layered, const std::string& output);
+
 }  // namespace lamina

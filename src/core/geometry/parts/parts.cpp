@@ -66,18 +66,26 @@ std::vector<Part> parts() {
           part<CuboidShape>("box", "a box"),
           part<BridgeShape>("bridge", "two pillars and a plate over both"),
           part<Cone>("cone", "a cone, or a frustum"),
+          part<ConeArray>("cone_array", "a row of frustums that lean outwards, each by another angle"),
           part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
           part<Cylinder>("cylinder", "an upright cylinder"),
+          part<Dome>("dome", "the upper half of a sphere"),
           part<Elbow>("elbow", "a round rod that stands upright and bends over"),
           part<Flare>("flare", "a round part whose side leans out, the more the higher"),
           part<FlatWall>("flat_wall", "a thin upright wall"),
+          part<PillarField>("pillar_field", "round pins that stand in a square"),
           part<Pyramid>("pyramid", "a pyramid on a rectangle"),
+          part<RoofNiche>("roof_niche", "a block with a niche in its side, under a level roof"),
           part<SemiCone>("semi_cone", "half of a cone, cut through its axis"),
           part<Sphere>("sphere", "a sphere"),
+          part<SteppedPyramid>("stepped_pyramid", "squares on each other, each smaller all round"),
           part<TeeShape>("tee", "a bar across the top of a stem"),
           part<Tetradecahedron>("tetradecahedron", "a truncated octahedron on one of its squares"),
+          part<ThinRoof>("thin_roof", "a hollow cube with a thin roof amid its void"),
           part<ThroughHolePlate>("through_hole_plate", "a plate with a round hole right through"),
-          part<Tube>("tube", "an upright tube")};
+          part<Tube>("tube", "an upright tube"),
+          part<TwoTowers>("two_towers", "two equal towers beside each other"),
+          part<UChannel>("u_channel", "a block with a notch from behind, right through")};
 }
 
 Part find(const std::string& name) {

@@ -146,6 +146,73 @@ struct BlindHolePlate {
   int segments = 128;
 };
 
+// Trials: what is hard to print, one thing in each.
+
+/// Squares on each other, each smaller by the same on all sides.
+struct SteppedPyramid {
+  double width_mm = 40.0;
+  double step_mm = 5.0;
+  double step_height_mm = 4.0;
+  int steps = 4;
+};
+
+/// The upper half of a sphere.
+struct Dome {
+  double radius_mm = 20.0;
+  int segments = 128;
+};
+
+/// A row of frustums that widen upwards, each by another angle from the vertical.
+struct ConeArray {
+  double foot_radius_mm = 3.0;
+  double height_mm = 5.0;
+  double least_deg = 30.0;
+  double greatest_deg = 75.0;
+  int count = 4;
+  double gap_mm = 5.0;
+  int segments = 96;
+};
+
+/// Round pins in a square.
+struct PillarField {
+  double pin_mm = 2.0;
+  double pitch_mm = 6.0;
+  double height_mm = 10.0;
+  int count = 10;
+  int segments = 24;
+};
+
+/// A block with a notch from behind, right through from bottom to top.
+struct UChannel {
+  double size_mm = 30.0;
+  double notch_mm = 10.0;
+  double depth_mm = 20.0;
+  double height_mm = 10.0;
+};
+
+/// Two equal towers beside each other.
+struct TwoTowers {
+  double width_mm = 10.0;
+  double gap_mm = 20.0;
+  double height_mm = 30.0;
+};
+
+/// A block with a niche in one side, under a level roof that is held on three sides at most.
+struct RoofNiche {
+  double size_mm = 20.0;
+  double width_mm = 10.0;
+  double depth_mm = 10.0;
+  double floor_mm = 5.0;
+  double height_mm = 8.0;
+};
+
+/// A hollow cube that a thin roof divides into two voids.
+struct ThinRoof {
+  double size_mm = 20.0;
+  double wall_mm = 4.0;
+  double roof_mm = 0.2;
+};
+
 void describe(SettingsSchema& schema, CuboidShape& shape);
 void describe(SettingsSchema& schema, FlatWall& shape);
 void describe(SettingsSchema& schema, Pyramid& shape);
@@ -164,6 +231,14 @@ void describe(SettingsSchema& schema, TeeShape& shape);
 void describe(SettingsSchema& schema, Elbow& shape);
 void describe(SettingsSchema& schema, ThroughHolePlate& shape);
 void describe(SettingsSchema& schema, BlindHolePlate& shape);
+void describe(SettingsSchema& schema, SteppedPyramid& shape);
+void describe(SettingsSchema& schema, Dome& shape);
+void describe(SettingsSchema& schema, ConeArray& shape);
+void describe(SettingsSchema& schema, PillarField& shape);
+void describe(SettingsSchema& schema, UChannel& shape);
+void describe(SettingsSchema& schema, TwoTowers& shape);
+void describe(SettingsSchema& schema, RoofNiche& shape);
+void describe(SettingsSchema& schema, ThinRoof& shape);
 
 Mesh build(const CuboidShape& shape);
 Mesh build(const FlatWall& shape);
@@ -183,6 +258,14 @@ Mesh build(const TeeShape& shape);
 Mesh build(const Elbow& shape);
 Mesh build(const ThroughHolePlate& shape);
 Mesh build(const BlindHolePlate& shape);
+Mesh build(const SteppedPyramid& shape);
+Mesh build(const Dome& shape);
+Mesh build(const ConeArray& shape);
+Mesh build(const PillarField& shape);
+Mesh build(const UChannel& shape);
+Mesh build(const TwoTowers& shape);
+Mesh build(const RoofNiche& shape);
+Mesh build(const ThinRoof& shape);
 
 /// Bounds of a length that must be positive [mm].
 constexpr Bounds kLength = Bounds::above(0.0, 10000.0);

@@ -67,7 +67,8 @@ double nozzleOf(PathRole role, const ToolSettings& settings) {
   return tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
 }
 
-/// Layers are those that the finest nozzle at work can lay, and a raft's base that of its own tool.
+/// The first layer, which the bed presses, is one that the finest nozzle at work can lay, and a raft's base
+/// one of its own tool.
 void requireLayersForTools(const JobSettings& settings) {
   const std::vector<Tool> tools = toolsOf(settings.planning.tools);
   const RaftSettings& raft = settings.planning.adhesion.raft;
@@ -77,12 +78,13 @@ void requireLayersForTools(const JobSettings& settings) {
         "raft.base_height_mm is " + numberText(raft.base_height_mm) + " mm and nozzle_mm of tool " +
         std::to_string(toolFor(PathRole::Raft, settings.planning.tools)) + " in tools.list " +
         numberText(of_raft_mm) + " mm; a layer is no higher than the nozzles that lay it are wide");
-  const double height_mm = std::max(settings.slicing.layer_height_mm, settings.slicing.first_layer_height_mm);
+  const double height_mm = settings.slicing.first_layer_height_mm;
   for (const std::uint32_t tool : toolsAtWork(settings.planning)) {
     const double nozzle_mm = tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
     if (nozzle_mm <= 0.0 || height_mm <= nozzle_mm * (1.0 + 1e-9)) continue;
-    throw InvalidConfig("a layer height is " + numberText(height_mm) + " mm and nozzle_mm of tool " +
-                        std::to_string(tool) + " in tools.list " + numberText(nozzle_mm) +
+    throw InvalidConfig("slicing.first_layer_height_mm is " + numberText(height_mm) +
+                        " mm and nozzle_mm of tool " + std::to_string(tool) + " in tools.list " +
+                        numberText(nozzle_mm) +
                         " mm; a layer is no higher than the nozzles that lay it are wide");
   }
 }
@@ -164,7 +166,7 @@ void requireCapable(const JobSettings& settings) {
     throw InvalidConfig("fan.use is true with machine.has_fan false; expected false");
   requireLayerHeight("slicing.layer_height_mm", settings.slicing.layer_height_mm, machine);
   requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
-  requireNozzle({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, machine);
+  requirePressed({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, settings);
   requireNozzle({"slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, "mm"}, machine);
   requireLayersForTools(settings);
   requireAdaptiveHeights(settings);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "job/annotations/words_of_dialect.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
@@ -221,9 +222,12 @@ void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const
   }
 }
 
-void validate(const LayeredSettings& layered) {
+void validate(const LayeredSettings& layered) { validate(layered, ""); }
+
+void validate(const LayeredSettings& layered, const std::string& output) {
   try {
     validate(layered.settings);
+    requireWordsOfDialect(output, layered.settings);
   } catch (const InvalidConfig& error) {
     std::string message = error.what();
     std::vector<std::string> places;
