@@ -112,8 +112,10 @@ class LiveWall {
   }
 
   void waitUntilHeard() {
-    EXPECT_TRUE(
-        waitUntil([this] { return profile_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0; }));
+    EXPECT_TRUE(waitUntil([this] {
+      return profile_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0 &&
+             tf_static_.getNumSubscribers() > 0 && toolpath_.getNumSubscribers() > 0;
+    }));
   }
 
   /// Publishes what is due until something is true, or all is said. The machine's clock stands in between,

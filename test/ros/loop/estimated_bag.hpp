@@ -39,7 +39,7 @@ inline std::vector<std::string> replayed(const std::string& bag, std::size_t lay
                                          const std::vector<std::string>& parameters = {}) {
   Controller controller(parameters);
   const BagPlayer player(bag, {"--rate=" + rate, "--delay=0.5"});
-  waitUntil([&] { return controller.layers.size() >= layers; });
+  waitUntil([&] { return controller.layers.size() >= layers && controller.maps.size() >= layers; });
   return controller.digests();
 }
 
