@@ -556,7 +556,7 @@ TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
   ASSERT_TRUE(goes_on());
   EXPECT_EQ(controller.maps.back().layer, 0U);
   EXPECT_FALSE(controller.maps.back().paths.empty()) << "it corrects at once by what it has learnt";
-  EXPECT_TRUE(controller.isIn(StateMessage::ACTIVE));
+  EXPECT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::ACTIVE); }));
   const std::size_t maps = controller.maps.size();
   driven.publish(*plan);
   ros::WallDuration(0.5).sleep();
