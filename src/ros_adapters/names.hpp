@@ -115,6 +115,11 @@ inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamPr
 inline constexpr char kNodeEnded[] =
     "the node was ended";  ///< in the message of a job that is CANCELLED by the end of its own node
 
+inline constexpr char kTipOff[] =
+    "the nozzle tip is ";  ///< begins the message of a drive that was given up since the tip left its path
+inline constexpr char kGoalEnded[] =
+    "the controller ended a goal as ";  ///< begins that of one whose controller gave a goal up
+
 // Parameters.
 inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between
 inline constexpr char kDiagnosticPeriodParameter[] =

@@ -20,6 +20,7 @@ namespace lamina::test {
 /// An executor that does what it is asked when it is asked to, and prints ten lines a step.
 class PrintingExecutor final : public Executor {
  public:
+  ExecutorTraits traits() const override { return kind; }
   void start(const StartOrder& order) override {
     const bool is_known = taken.count(order.execution) > 0;
     EXPECT_TRUE(is_known || order.start != ExecutionStart::Resume) << "nothing is there to go on with";
@@ -87,6 +88,7 @@ class PrintingExecutor final : public Executor {
     return report.phase != ExecutorPhase::Resting && report.phase != ExecutorPhase::Done;
   }
 
+  ExecutorTraits kind;
   ExecutorReport report;
   std::vector<std::string> orders;
   int pauses_not_heard = 0;                    ///< as of one that the job has not reached yet

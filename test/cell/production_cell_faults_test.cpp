@@ -419,6 +419,33 @@ TEST(ProductionCell, ResumesAJobThatWasStoppedBeforeItsFirstLine) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
 }
 
+TEST(ProductionCell, ResumesNothingOnAnExecutorThatDoesNot) {
+  Cell cell;
+  cell.executor.kind = {"waypoint", "the driver keeps no progress"};
+  const std::int64_t job = bringToExecute(cell);
+  for (int i = 0; i < 3; ++i) cell.step();
+  cell.executor.fail(3101, "the controller is silent");
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  const std::uint64_t reached = cell.journal().open()->progress.taken_through;
+  EXPECT_GT(reached, 0U);
+  recover(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("was cut off after waypoint " + std::to_string(reached)),
+            std::string::npos)
+      << cell.answer.reason;
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed);
+  EXPECT_NE(cell.answer.reason.find("the driver keeps no progress"), std::string::npos) << cell.answer.reason;
+  ASSERT_EQ(cell.run().againstResuming().size(), 1U);
+  EXPECT_EQ(cell.run().againstResuming().front().code, 1314);
+  const std::int64_t next = cell.enqueue("b.gcode");
+  cell.run().confirmRemoval("anna", cell.now);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted)
+      << cell.answer.reason;
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Aborted);
+  EXPECT_EQ(cell.journal().job(next).state, JobState::Ended);
+}
+
 TEST(ProductionCell, TakesThePlateToBeOccupiedWhenTheJournalIsLost) {
   Cell cell;
   EXPECT_FALSE(cell.run().isPartOnPlate());

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "lamina/cell/cell_time.hpp"
+#include "lamina/cell/command_audit.hpp"
+#include "lamina/cell/executor.hpp"
 #include "lamina/cell/guards.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/artefact_store.hpp"
@@ -16,69 +18,6 @@
 #include "lamina/journal/execution_log.hpp"
 
 namespace lamina {
-
-/// Phase of an executor.
-enum class ExecutorPhase : std::uint8_t {
-  Resting,  ///< no job, or one that was stopped or aborted
-  Starting,
-  Running,
-  Pausing,
-  Paused,
-  Resuming,
-  Stopping,
-  Done,  ///< the job was completed
-};
-
-/// Whether no job is under way.
-inline bool isAtRest(ExecutorPhase phase) {
-  return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done;
-}
-
-/// How an executor begins a job.
-enum class ExecutionStart : std::uint8_t {
-  Anew,
-  Resume,         ///< the machine has accepted lines of it: the job is continued, or refused
-  ResumeIfBegun,  ///< unknown here whether a line was sent: continued if so, otherwise begun
-};
-
-/// The order to start a job.
-struct StartOrder {
-  std::string program;
-  ExecutionStart start = ExecutionStart::Anew;
-  /// Number of the order, from 1, which the executor's reports repeat.
-  std::uint64_t order = 0;
-  /// Name of this execution of the job, unique across all journals.
-  std::string execution;
-};
-
-/// The last report of an executor.
-struct ExecutorReport {
-  ExecutorPhase phase = ExecutorPhase::Resting;
-  /// Number of the order that it is about; 0 for a job that was not ordered by this cell.
-  std::uint64_t order = 0;
-  std::string program;      ///< path of the job's program
-  std::uint64_t lines = 0;  ///< number of lines of the program that carry a command
-  ExecutionProgress progress;
-  int alarm = 0;        ///< ID of the alarm that ended the job; 0 if none did, or it has not ended
-  std::string failure;  ///< that alarm in a sentence
-  /// Whether the executor has ended the job by stopping its machine, so that motions are lost that the
-  /// machine had accepted: such a job cannot be resumed.
-  bool has_lost_motions = false;
-};
-
-/// Runs jobs on the machine by orders of the cell. Orders return at once; their effect is reported later.
-class Executor {
- public:
-  virtual ~Executor() = default;
-  /// Starts a job. If its execution is complete by the executor's own record, it is reported as done.
-  virtual void start(const StartOrder& order) = 0;
-  virtual void pause() = 0;
-  virtual void resume() = 0;
-  /// Ends the job in a controlled way; the machine is left as its settings say.
-  virtual void stop() = 0;
-  /// Ends the job as fast as the executor can.
-  virtual void abort() = 0;
-};
 
 /// What Start does with a job that was cut off.
 enum class CutOffJob : std::uint8_t { Undecided, Resume, Discard };
@@ -153,13 +92,6 @@ class ProductionCell {
   bool isPartOnPlate() const { return is_part_on_plate_; }
 
  private:
-  /// The last command that was refused, and the number of repetitions that were not written.
-  struct Refusal {
-    std::string who;
-    std::string action;
-    double written_s = 0.0;
-    std::size_t unwritten = 0;
-  };
   enum class FileCheck : std::uint8_t { None, Whole };
   std::vector<UnmetGuard> unmet(const UnitRequest& request, const CellSurroundings& found,
                                 CutOffJob cut_off) const;
@@ -178,7 +110,6 @@ class ProductionCell {
   void interrupt(CellTime now);
   void close(JobState outcome, const std::string& reason, CellTime now);
   void writeEnd(JobState outcome, const std::string& reason, CellTime now);
-  void keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now);
   void restoreAlarms(CellTime now);
   void keepAlarm(const ActiveAlarm& alarm, double utc_s);
   void keepCounters();
@@ -211,7 +142,7 @@ class ProductionCell {
   double counters_written_s_ = 0.0;
   double end_tried_s_ = 0.0;  ///< time of the last attempt to write the end of a job
   double paused_s_ = 0.0;     ///< time at which the executor was last asked to pause
-  Refusal refusal_;
+  CommandAudit audit_;
 };
 
 }  // namespace lamina

@@ -25,7 +25,6 @@ constexpr double kProgressInterval = 0.1;   // [s] between two commits
 constexpr double kCountersInterval = 10.0;  // [s]
 constexpr double kRetryInterval = 1.0;      // [s] of a journal that could not be written
 constexpr double kPauseInterval = 0.5;      // [s] between two orders to an executor that has not heard
-constexpr double kRefusalInterval = 1.0;    // [s] between two rows of one refused command
 
 /// After these the machine may still hold what it had: the job is offered to be gone on with. What would have
 /// been held or suspended is stopped only where the executor cannot pause yet.
@@ -185,30 +184,9 @@ CommandAnswer ProductionCell::command(UnitRequest request, const CellSurrounding
     operator_ = operator_before;
   }
   if (precedence(request.command) <= precedence(UnitCommand::Stop)) settle(now);
-  keepCommand(request, answer, now);
+  if (const auto row = audit_.rowOf(request, answer, now)) write(now, [&] { journal_.add(*row); });
   settle(now);
   return answer;
-}
-
-/// A client that asks again and again for what is refused fills neither disk nor audit.
-void ProductionCell::keepCommand(const UnitRequest& request, const CommandAnswer& answer, CellTime now) {
-  const std::string action = toString(request.command);
-  const bool is_refused = answer.result != CommandResult::Accepted;
-  const bool is_repeated = is_refused && refusal_.who == request.source && refusal_.action == action &&
-                           now.steady_s - refusal_.written_s < kRefusalInterval;
-  if (is_repeated) {
-    ++refusal_.unwritten;
-    return;
-  }
-  const std::string more = refusal_.unwritten > 0
-                               ? " (before it, " + refusal_.action + " of '" + refusal_.who +
-                                     "' was refused " + std::to_string(refusal_.unwritten) + " times more)"
-                               : "";
-  refusal_ = is_refused ? Refusal{request.source, action, now.steady_s, 0} : Refusal{};
-  write(now, [&] {
-    journal_.add(
-        AuditRow{now.utc_s, request.source, "", action, (is_refused ? answer.reason : "accepted") + more});
-  });
 }
 
 std::vector<UnmetGuard> ProductionCell::unmet(const UnitRequest& request, const CellSurroundings& found,
@@ -236,6 +214,8 @@ std::vector<UnmetGuard> ProductionCell::againstResuming() const {
   if (open->progress.taken_through > 0 && !is_part_on_plate_)
     against.push_back({1311, "the part that was cut off was taken away; discard its job"});
   if (execution_ == lost_motions_of_) against.push_back({1313, kMotionsAreLost});
+  std::string why = executor_.traits().against_resuming;
+  if (!why.empty()) against.push_back({1314, std::move(why)});
   return against;
 }
 
@@ -252,7 +232,8 @@ std::vector<UnmetGuard> ProductionCell::againstBeginning(const CellSurroundings&
     against.push_back({1308, "no job was cut off; there is nothing to resume"});
   if (interrupted) {
     if (cut_off == CutOffJob::Undecided)
-      against.push_back({1308, "job " + std::to_string(interrupted->id) + " was cut off after line " +
+      against.push_back({1308, "job " + std::to_string(interrupted->id) + " was cut off after " +
+                                   executor_.traits().unit + ' ' +
                                    std::to_string(journal_.open()->progress.taken_through) +
                                    "; say whether it is resumed or discarded"});
     if (cut_off != CutOffJob::Discard) job = interrupted;

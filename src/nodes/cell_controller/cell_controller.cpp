@@ -9,15 +9,17 @@
 #include <utility>
 
 #include "call_source.hpp"
+#include "driver_executor.hpp"
+#include "job_rules.hpp"
 #include "kept_corrections.hpp"
 #include "lamina/base/disk_space.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
-#include "lamina/job/program_check.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
+#include "stream_executor.hpp"
 #include "unit_diagnostics.hpp"
 
 namespace lamina {
@@ -74,13 +76,20 @@ ros::ServiceServer advertiseRemoval(ros::NodeHandle& node,
 std::uint8_t numberOf(CommandResult result) { return static_cast<std::uint8_t>(result); }
 
 /// The machine's sheet; one that no job has if the machine is not to be read: jobs may run, and none starts.
-std::string sheetOf(const MachineSettings& machine) {
+std::string sheetOf(const CellControllerSettings& settings) {
   try {
-    return machineSheet(machine);
+    return jobSheet(settings);
   } catch (const Error& error) {
     ROS_ERROR_STREAM("no job can start: " << error.what());
     return std::string("description: cannot be read: ") + error.what() + '\n';
   }
+}
+
+std::unique_ptr<MachineExecutor> executorOf(ros::NodeHandle& node, const CellControllerSettings& settings,
+                                            const std::function<void(const ExecutorReport&)>& report) {
+  if (settings.executor == ExecutorKind::Driver)
+    return std::make_unique<DriverExecutor>(node, settings.placement, report);
+  return std::make_unique<StreamExecutor>(node, report);
 }
 
 }  // namespace
@@ -88,7 +97,7 @@ std::string sheetOf(const MachineSettings& machine) {
 CellController::CellController(ros::NodeHandle node, const CellControllerSettings& settings)
     : settings_(settings),
       unit_settings_(unitSettings(settings)),
-      machine_sheet_(sheetOf(settings.machine)),
+      machine_sheet_(sheetOf(settings)),
       status_(node.advertise<lamina_msgs::PackmlStatus>(names::kPackmlStatus, 100, true)),
       alarms_(node.advertise<lamina_msgs::CellAlarms>(names::kAlarms, 100, true)),
       queue_(node.advertise<lamina_msgs::JobQueue>(names::kJobQueue, 10, true)),
@@ -97,7 +106,7 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
       layers_(node, journal_),
       artefacts_(settings.folder + "/artefacts"),
       care_(journal_, settings.folder, settings.care),
-      executor_(node, [this](const ExecutorReport& report) { onReport(report); }),
+      executor_(executorOf(node, settings, [this](const ExecutorReport& report) { onReport(report); })),
       plc_(node, watchedPlc(settings),
            [this] {
              if (cell_) onTick();
@@ -109,20 +118,20 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
   const auto local = numbers.find(kLocalStart);
   is_local_start_due_ = local != numbers.end() && local->second > 0.0;
   const auto seen = awaitExecutor();
-  is_executor_lost_ = !executor_.isThere();
+  is_executor_lost_ = !executor_->isThere();
   silent_ticks_ = is_executor_lost_ ? kSilentTicks : 0;
   const auto keeper = [this](const QueuedJob& job, const ExecutionRow& execution) {
     return correctionsOf(job, execution);
   };
-  cell_ = std::make_unique<ProductionCell>(unit_settings_, CellParts{journal_, artefacts_, executor_, keeper},
-                                           seen, now());
+  cell_ = std::make_unique<ProductionCell>(unit_settings_,
+                                           CellParts{journal_, artefacts_, *executor_, keeper}, seen, now());
   services_ = {node.advertiseService(names::kPackmlCommand, &CellController::onCommand, this),
                node.advertiseService(names::kSetUnitMode, &CellController::onMode, this),
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
                advertiseRemoval(node, [this](RemovalEvent& event) { return onRemoval(event); }),
                node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
-  intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_.machine);
+  intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_);
   manual_ = std::make_unique<ManualDesk>(node, journal_, [this] { return unitByHand(); });
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
   const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_loop = [this](const auto& state) {
@@ -140,9 +149,9 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
 
 std::optional<ExecutorReport> CellController::awaitExecutor() const {
   const double until_s = clock_.now() + settings_.patience_s;
-  while (ros::ok() && !(executor_.seen() && executor_.isThere()) && clock_.now() < until_s)
+  while (ros::ok() && !(executor_->seen() && executor_->isThere()) && clock_.now() < until_s)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-  return executor_.seen();
+  return executor_->seen();
 }
 
 /// A part whose maps are not to be had has a record all the same.
@@ -162,7 +171,7 @@ CellSurroundings CellController::surroundings() const {
   // Programs are checked as they are put into the queue, and kept by their digests.
   found.start.is_checked = true;
   found.start.machine = {settings_.machine.name, machine_sheet_};
-  for (const lamina_msgs::StartupStep& step : executor_.machine().startup)
+  for (const lamina_msgs::StartupStep& step : executor_->machine().startup)
     if (step.state != lamina_msgs::StartupStep::DONE && step.state != lamina_msgs::StartupStep::SKIPPED)
       found.start.unready.push_back(step.name + " is " + step.state_name + ": " + step.reason);
   found.start.needs_loop = settings_.needs_loop;
@@ -356,9 +365,9 @@ bool CellController::hasMaster() const { return !raised_by_.isRaised(kMasterLost
 
 void CellController::onReport(const ExecutorReport& report) {
   if (!cell_) return;
-  layers_.onMachine(executor_.machine());
+  layers_.onMachine(executor_->machine());
   if (report.phase == ExecutorPhase::Done || report.phase == ExecutorPhase::Resting)
-    layers_.onEnd(executor_.machine());
+    layers_.onEnd(executor_->machine());
   cell_->onReport(report, now());
 }
 
@@ -389,19 +398,19 @@ void CellController::followTime() {
 }
 
 void CellController::watchExecutor(CellTime now) {
-  const std::string order = executor_.takeUnanswered(settings_.patience_s);
+  const std::string order = executor_->takeUnanswered(settings_.patience_s);
   if (!order.empty())
     cell_->raise(kExecutorSilent, settings_.patience_s,
-                 "gcode_streamer has not answered the order to " + order + " in " +
+                 executor_->name() + " has not answered the order to " + order + " in " +
                      numberText(settings_.patience_s) + " s",
                  now);
   // After a callback that took long, signs of life may still wait behind this one.
-  silent_ticks_ = executor_.isThere() ? 0 : silent_ticks_ + 1;
+  silent_ticks_ = executor_->isThere() ? 0 : silent_ticks_ + 1;
   const bool is_lost = silent_ticks_ >= kSilentTicks;
   if (is_lost == is_executor_lost_) return;
   is_executor_lost_ = is_lost;
   if (is_lost)
-    raiseAlarm({kExecutorLost, kThisCell, 0.0, "gcode_streamer gives no sign of life"}, now);
+    raiseAlarm({kExecutorLost, kThisCell, 0.0, executor_->name() + " gives no sign of life"}, now);
   else
     endAlarm(kExecutorLost, kThisCell, now);
 }
@@ -441,7 +450,7 @@ void CellController::careForJournal(CellTime now) {
 /// What the machine has in force is known by its answers alone, and forgotten between jobs: a machine that
 /// was reset has forgotten it, too.
 void CellController::followSpeed(CellTime now) {
-  if (const auto answer = executor_.takeFeedAnswer()) {
+  if (const auto answer = executor_->takeFeedAnswer()) {
     is_feed_asked_ = false;
     if (answer->refusal.empty()) {
       feed_ = answer->feed;
@@ -460,7 +469,7 @@ void CellController::followSpeed(CellTime now) {
     return;
   is_feed_asked_ = true;
   feed_asked_s_ = now.steady_s;
-  executor_.changeFeed(plc_.speed());
+  executor_->changeFeed(plc_.speed());
 }
 
 /// Kept in the journal: a restart of the cell is no person at the machine.
@@ -478,7 +487,7 @@ void CellController::followExecution() {
   const auto running = cell_->runningExecution();
   if (running == followed_) return;
   followed_ = running;
-  layers_.follow(running, executor_.machine());
+  layers_.follow(running, executor_->machine());
   if (!running) return;
   if (const auto open = journal_.open()) execution_began_s_ = open->started_s;
 }

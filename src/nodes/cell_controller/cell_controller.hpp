@@ -22,14 +22,14 @@
 #include "lamina/journal/cell_journal.hpp"
 #include "lamina/journal/execution_log.hpp"
 #include "layer_log.hpp"
+#include "machine_executor.hpp"
 #include "manual_desk.hpp"
 #include "node_diagnostics.hpp"
 #include "plc_desk.hpp"
-#include "stream_executor.hpp"
 
 namespace lamina {
 
-/// The unit of a cell on ROS: takes commands and jobs, orders gcode_streamer about, and says where everything
+/// The unit of a cell on ROS: takes commands and jobs, orders its executor about, and says where everything
 /// is. Its topics and services: docs/nodes/cell_controller.md.
 ///
 /// All callbacks run in one thread, which never waits for the executor.
@@ -97,7 +97,7 @@ class CellController {
   LayerLog layers_;
   ArtefactStore artefacts_;
   JournalCare care_;
-  StreamExecutor executor_;
+  std::unique_ptr<MachineExecutor> executor_;
   PlcDesk plc_;
   QueueFollower queue_follower_;
   std::unique_ptr<ProductionCell> cell_;

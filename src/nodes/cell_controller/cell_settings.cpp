@@ -20,6 +20,16 @@ void describe(SettingsSchema& schema, CellControllerSettings& settings) {
       "corrections.folder", settings.corrections_folder,
       "Folder in which gcode_streamer records the maps that it applies (its corrections.folder), on this "
       "host: they are kept with the record of each part. Empty for none.");
+  schema.choice<ExecutorKind>(
+      "executor.kind", settings.executor,
+      {{"stream", ExecutorKind::Stream}, {"driver", ExecutorKind::Driver}},
+      "Node that runs the jobs: gcode_streamer, whose jobs are programs of G-code, or trajectory_driver, "
+      "whose jobs are toolpaths (.csv).");
+  schema.choice<Placement>(
+      "executor.placement", settings.placement, {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
+      "Where toolpaths stand: over the middle of the bed, or where their coordinates say.");
+  describe(schema, settings.drive.joints);
+  describe(schema, settings.drive.clearance);
   schema.number("executor.patience_s", settings.patience_s, {0.1, 60.0},
                 "Time in which the executor answers: at the start of the node, and each order.");
   schema.flag(

@@ -2,23 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "journal_care.hpp"
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/plc_watch.hpp"
 #include "lamina/cell/queue_follower.hpp"
+#include "lamina/job/drivable_toolpath.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 
 namespace lamina {
 
+/// The node that runs a cell's jobs.
+enum class ExecutorKind : std::uint8_t {
+  Stream,  ///< gcode_streamer: programs of G-code
+  Driver,  ///< trajectory_driver: toolpaths (.csv)
+};
+
 /// Parameters of the node cell_controller.
 struct CellControllerSettings {
   MachineSettings machine;
-  std::string folder = "cell";     ///< of journal and files
-  double patience_s = 2.0;         ///< for the executor: at the start, and for each order
-  std::string corrections_folder;  ///< of the streamer; empty for none
-  bool is_held_on_the_way = true;  ///< Hold is accepted on the way to and from Execute
+  ExecutorKind executor = ExecutorKind::Stream;
+  Placement placement = Placement::Centre;  ///< of toolpaths on the bed
+  DriveCheckSettings drive;                 ///< by which toolpaths are checked
+  std::string folder = "cell";              ///< of journal and files
+  double patience_s = 2.0;                  ///< for the executor: at the start, and for each order
+  std::string corrections_folder;           ///< of the streamer; empty for none
+  bool is_held_on_the_way = true;           ///< Hold is accepted on the way to and from Execute
   bool is_start_local_after_stop =
       true;                 ///< the first Start after an emergency stop does not come from the PLC
   bool needs_loop = false;  ///< jobs start only with a height loop that may run, and clocks that agree

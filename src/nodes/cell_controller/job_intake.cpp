@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "job_rules.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/cell/machine_sheet.hpp"
-#include "lamina/job/program_check.hpp"
-#include "lamina/streaming/job/streamable_program.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
@@ -19,18 +18,17 @@ namespace {
 
 constexpr std::chrono::milliseconds kLook(50);
 
-/// Layers of a program, by what its comments say; 0 if they say nothing.
-std::int32_t layersOf(const StreamableProgram& program) {
-  ProgramCursor cursor = program.open();
-  while (cursor.next()) {
-  }
-  return cursor.layer() + 1;
-}
+/// The node may end before a large file is checked.
+class NodeProgress final : public Progress {
+ public:
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return !ros::ok(); }
+};
 
 }  // namespace
 
-JobIntake::JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, MachineSettings machine)
-    : artefacts_(artefacts), machine_(std::move(machine)), spinner_(1, &callbacks_) {
+JobIntake::JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, CellControllerSettings settings)
+    : artefacts_(artefacts), settings_(std::move(settings)), spinner_(1, &callbacks_) {
   node.setCallbackQueue(&callbacks_);
   service_ = node.advertiseService(names::kEnqueueJob, &JobIntake::onEnqueue, this);
   spinner_.start();
@@ -74,16 +72,15 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   std::vector<KeptFile> files = {
       artefacts_.keepFile(request.program, "program", path.has_extension() ? file : name)};
   try {
-    const std::string kept = artefacts_.pathOf(files.front().artefact);
-    requirePrintable(kept, machine_);
+    NodeProgress progress;
+    const std::int32_t layers = checkedLayers(artefacts_.pathOf(files.front().artefact), settings_, progress);
     if (!request.mesh.empty()) files.push_back(artefacts_.keepFile(request.mesh, "mesh", request.mesh_name));
     std::vector<Artefact> artefacts;
     artefacts.reserve(files.size() + 1);
     for (const KeptFile& each : files) artefacts.push_back(each.artefact);
     // All jobs of a machine share it: it stays also if this one is not taken.
-    artefacts.push_back(artefacts_.keepText(machineSheet(machine_), kMachineSheet, "machine.txt"));
-    return add({name, request.part, machine_.name, artefacts, request.source,
-                layersOf(StreamableProgram::fromFile(kept))});
+    artefacts.push_back(artefacts_.keepText(jobSheet(settings_), kMachineSheet, "machine.txt"));
+    return add({name, request.part, settings_.machine.name, artefacts, request.source, layers});
   } catch (const Cancelled&) {
     throw;  // the journal may still have taken it
   } catch (...) {

@@ -11,20 +11,20 @@
 #include <mutex>
 #include <vector>
 
+#include "cell_settings.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "messages.hpp"
 
 namespace lamina {
 
-/// Takes programs for the queue in a thread of its own: large ones are kept and read for minutes, and no
-/// command may wait for that. What was found good is added to the journal by the journal's own thread; of
-/// what was refused no file stays in the store.
+/// Takes programs and toolpaths for the queue in a thread of its own: large ones are kept and checked for
+/// minutes, and no command may wait for that. What was found good is added to the journal by the journal's
+/// own thread; of what was refused no file stays in the store.
 class JobIntake {
  public:
   /// `artefacts` outlives it.
-  JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, MachineSettings machine);
+  JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, CellControllerSettings settings);
   ~JobIntake();
   JobIntake(const JobIntake&) = delete;
   JobIntake& operator=(const JobIntake&) = delete;
@@ -44,7 +44,7 @@ class JobIntake {
   std::int64_t add(NewJob job);
 
   ArtefactStore& artefacts_;
-  MachineSettings machine_;
+  CellControllerSettings settings_;
   std::mutex mutex_;
   std::vector<std::shared_ptr<Checked>> checked_;
   ros::CallbackQueue callbacks_;

@@ -26,7 +26,7 @@
 #include "node_diagnostics.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
-#include "owner_watch.hpp"
+#include "owner/owner_watch.hpp"
 #include "recorded_program.hpp"
 #include "startup_service.hpp"
 #include "stream_report.hpp"

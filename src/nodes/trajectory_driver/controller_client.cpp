@@ -80,7 +80,7 @@ void ControllerClient::onDone(std::size_t goal, const actionlib::SimpleClientGoa
   if (goal != goals_) return;  // another took its place
   is_done_ = true;
   if (state == actionlib::SimpleClientGoalState::SUCCEEDED) return;
-  failure_ = "the controller ended a goal as " + state.toString();
+  failure_ = names::kGoalEnded + state.toString();
   if (result && !result->error_string.empty()) *failure_ += ": " + result->error_string;
 }
 

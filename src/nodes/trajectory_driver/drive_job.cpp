@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "lamina/job/clear_approach.hpp"
-#include "lamina/toolpath/process_levels.hpp"
-#include "lamina/toolpath/process_support.hpp"
+#include "lamina/job/drivable_toolpath.hpp"
 
 namespace lamina {
 namespace {
@@ -26,17 +25,15 @@ bool isThere(const JointValues& here, const JointValues& start, const KinematicM
 DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress) {
   requirePlannedFor(placed, model.name());
-  requireSupported(placed.toolpath, {ProcessElement::Fan, ProcessElement::Dwell, ProcessElement::Value},
-                   "joint trajectories");
-  requireLevels(placed.toolpath, "joint trajectories");
   const CheckedMachine machine(model);
+  if (settings.is_clearance_checked) {
+    KinematicModelRun run = drivableRun({placed.toolpath, placed.bed_from_part}, machine,
+                                        {settings.run.joints, settings.clearance}, found, progress);
+    return {placed, inTime(std::move(run), model, settings.run.timing)};
+  }
+  requireDrivable(placed.toolpath);
   KinematicModelRun run =
       runOn(machine, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
-  if (settings.is_clearance_checked) {
-    const MachineCheck check = checkRun(run, machine, settings.clearance, progress);
-    found(check);
-    requireClear(check, model);
-  }
   return {placed, inTime(std::move(run), model, settings.run.timing)};
 }
 

@@ -179,6 +179,7 @@ void DriveSession::follow(double now_s) {
     status_.duration_s = rest_s;
   const JointState wanted = feeder_.at(status_.time_s);
   status_.heading_for = wanted.heading_for;
+  status_.handed_over_for = fed_s_ > 0.0 ? feeder_.at(fed_s_).heading_for : wanted.heading_for;
   status_.tip_mm = model_.bedFromNozzle(wanted.position).translation();
   const std::lock_guard<std::mutex> lock(report_mutex_);
   status_.joint_error = tracking_.joints();

@@ -32,6 +32,7 @@ struct DriveStatus {
   double time_s = 0.0;      ///< of the motion, pauses included; not before 0
   double duration_s = 0.0;  ///< of it all, pauses so far included
   WaypointIndex heading_for;
+  WaypointIndex handed_over_for;                     ///< the same at the end of what is handed over
   Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
   double feed_share = 1.0;                           ///< of the planned speeds
   double reached_share = 1.0;                        ///< of them that the limits allow on average

@@ -8,6 +8,9 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is driven.");
   schema.text("executor.owner", settings.owner,
               "Node whose orders alone are followed, such as cell_controller; empty for anybody.");
+  schema.number("owner.grace_s", settings.owner_grace_s, {0.0, 3600.0},
+                "Time without a word of the cell_controller that ordered the job, after which the job is "
+                "held; 0 for any time.");
   schema.text(
       "guard.socket", settings.guard_socket,
       "Socket of the host_watch that stops the controller if this node dies or hangs; empty for none.");

@@ -36,7 +36,8 @@ struct ProcessIoDemand {
 
 struct DriverSettings {
   MachineSettings machine;
-  std::string owner;         ///< node whose orders alone are followed; empty for anybody
+  std::string owner;           ///< node whose orders alone are followed; empty for anybody
+  double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
   std::string guard_socket;  ///< of the watch that stops the controller in this node's place; empty for none
   RunSettings run;
   TrajectoryFeederSettings feeder;
@@ -57,8 +58,8 @@ struct DriverSettings {
   double controller_wait_s = 60;  ///< for the toolpath, the controller and the joints' positions to be there
 };
 
-/// Adds the keys machine.*, executor.owner, guard.socket, joints.*, motion.*, trajectory.*, process.*,
-/// feeder.*, clearance.*, tracking.*, approach.*, process_io.*, dry.*, jog.*, corrections.*,
+/// Adds the keys machine.*, executor.owner, owner.grace_s, guard.socket, joints.*, motion.*, trajectory.*,
+/// process.*, feeder.*, clearance.*, tracking.*, approach.*, process_io.*, dry.*, jog.*, corrections.*,
 /// sensor.calibration, some of loop.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and
 /// controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);

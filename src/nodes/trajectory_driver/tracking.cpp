@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking.hpp"
 #include "lamina/base/number_text.hpp"
+#include "names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ double Tracking::rmsTip() const {
 
 std::optional<std::string> Tracking::deviation(double most_mm) const {
   if (most_mm <= 0.0 || tip_mm_ <= most_mm) return std::nullopt;
-  return "the nozzle tip is " + numberText(tip_mm_) + " mm from where it is to be; expected at most " +
+  return names::kTipOff + numberText(tip_mm_) + " mm from where it is to be; expected at most " +
          numberText(most_mm) + " mm";
 }
 

@@ -82,6 +82,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       process_(node),
       process_io_(node, settings_.process_io),
       joints_(node, *model_),
+      owner_watch_(node, settings.owner_grace_s),
       overrides_(node, settings_.feeder, owner_, [this] { return session(); }),
       controller_(node, *model_,
                   [this](const ControllerReport& report) {
@@ -149,11 +150,17 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
   if (!pulses_.isHeard())
     ROS_WARN("nobody listens at %s: no watch stops the controller if this node dies",
              settings_.guard_socket.c_str());
-  job_ = goal->toolpath_id;
+  job_ = goal->program.empty() ? goal->toolpath_id : goal->program;
+  file_.reset();
+  is_ordered_by_cell_ = !goal->execution.empty();
+  is_hold_due_ = false;
+  owner_watch_.expect();
   publishState(DriveStatus());
   const DriveStatus status = judged(drive(*goal));
+  if (file_ && status.state == PackmlState::Complete) file_->complete();
   publishState(status);
-  const lamina_msgs::DriveToolpathResult result = toResult(status);
+  lamina_msgs::DriveToolpathResult result = toResult(status);
+  if (file_) result.waypoints = static_cast<std::uint32_t>(file_->count().reached());
   if (status.failure.code == ErrorCode::Ok) {
     ROS_INFO(
         "driven in %.1f s; tip error at most %.4f mm, rms %.4f mm; %zu starvations, %.2f s queued at least",
@@ -161,7 +168,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
         status.feeding.least_queued_s);
     action_.setSucceeded(result);
   } else {
-    ROS_ERROR_STREAM(refusalText({"drive toolpath", goal->toolpath_id, ""}, status.failure));
+    ROS_ERROR_STREAM(refusalText({"drive toolpath", job_, ""}, status.failure));
     if (action_.isPreemptRequested())
       action_.setPreempted(result, status.failure.message);
     else
@@ -181,7 +188,7 @@ DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) 
   try {
     jog_.block([this] { return isCancelled(); });
     dry_ = dryOrderOf(goal);
-    MachineToolpath placed = toolpath(goal.toolpath_id);
+    MachineToolpath placed = toolpath(goal);
     placed.toolpath = drivenAs(dry_, std::move(placed.toolpath), settings_.dry);
     controller_.requirePresent(settings_.controller_wait_s);
     awaitProcessIo();
@@ -221,6 +228,10 @@ TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, Ma
     DriveStatus status = run({way, id, PackmlState::Starting, nullptr, dry_.process()}).status;
     if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
+  if (file_ && job.placed.id == file_->toolpathId()) file_->follow(&job.timed.run.divided);
+  const std::shared_ptr<void> file_end(nullptr, [this](void*) {
+    if (file_) file_->follow(nullptr);
+  });
   const std::shared_ptr<ChunkCorrection> correction = correctionOf(job);
   if (correction && first_map == MapOfFirstLayer::Awaited) awaitFirstMap(*correction);
   const TimedPath& path = *job.timed.trajectory;
@@ -294,12 +305,25 @@ std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(Drive
 /// Who follows the print follows the plan from here on.
 void TrajectoryDriver::goOnWith(const DriveJob& plan) {
   ROS_WARN("going on with the layers left as planned anew: %s", plan.placed.id.c_str());
-  job_ = plan.placed.id;
+  if (!file_) job_ = plan.placed.id;  // a cell knows its job by the file
+  publishToolpath(plan.placed);
+}
+
+void TrajectoryDriver::publishToolpath(const MachineToolpath& placed) {
   if (!toolpath_publisher_) {
     ros::NodeHandle node;
     toolpath_publisher_ = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
   }
-  publishLatched(toolpath_publisher_, stamped(plan.placed, ros::Time::now()));
+  publishLatched(toolpath_publisher_, stamped(placed, ros::Time::now()));
+}
+
+/// One of a file is published for who follows the print, and by no other node that could be late with it.
+MachineToolpath TrajectoryDriver::toolpath(const lamina_msgs::DriveToolpathGoal& goal) {
+  if (goal.program.empty()) return toolpath(goal.toolpath_id);
+  MachineToolpath placed = toolpathOfFile(goal, settings_.machine);
+  file_.emplace(placed);
+  publishToolpath(placed);
+  return placed;
 }
 
 /// A toolpath may be asked for before it has come through.
@@ -347,6 +371,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
   for (abortIfCancelled(*session); session->step(ros::Time::now());) {
     abortIfCancelled(*session);
     holdIfProcessFails(*session);
+    holdWithoutOwner(*session);
     tell(session->takeLayers());
     if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
       shown = ros::Time::now();
@@ -412,6 +437,20 @@ void TrajectoryDriver::holdIfProcessFails(DriveSession& session) const {
   ROS_ERROR_STREAM("the job is held: " << fault);
 }
 
+/// Nobody would see what the machine does, or stop it. On the way to the start, where the process is off, the
+/// job is held as soon as it begins.
+void TrajectoryDriver::holdWithoutOwner(DriveSession& session) {
+  if (!is_ordered_by_cell_) return;
+  if (owner_watch_.takeLoss()) {
+    is_hold_due_ = true;
+    ROS_ERROR("the cell that ordered the job has said nothing for more than %.1f s; the job is held",
+              settings_.owner_grace_s);
+  }
+  is_hold_due_ = is_hold_due_ && owner_watch_.isLost();
+  if (is_hold_due_ && session.status().state == PackmlState::Execute)
+    is_hold_due_ = session.pause(ros::Time::now()).has_value();
+}
+
 /// That came before there was a session to correct.
 void TrajectoryDriver::correctByLastMap(DriveSession& session, const std::string& toolpath_id) const {
   const std::optional<HeardMap> last = lastMap();
@@ -453,6 +492,7 @@ void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
 }
 
 void TrajectoryDriver::show(const DriveStatus& status) {
+  if (file_) file_->see(status);
   action_.publishFeedback(toFeedback(status));
   publishState(status);
   lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
@@ -467,6 +507,7 @@ void TrajectoryDriver::publishState(const DriveStatus& status) {
     status_ = status;
   }
   lamina_msgs::MachineState message = toMachineState(status, job_);
+  count(file_, message);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
   publishLatched(state_, message);

@@ -17,6 +17,7 @@
 #include "drive_job.hpp"
 #include "drive_session.hpp"
 #include "driver_settings.hpp"
+#include "file/driven_file.hpp"
 #include "job_overrides.hpp"
 #include "jog_driver.hpp"
 #include "lamina/streaming/guard/pulse_link.hpp"
@@ -24,6 +25,7 @@
 #include "node_diagnostics.hpp"
 #include "owner/action_gate.hpp"
 #include "owner/executor_owner.hpp"
+#include "owner/owner_watch.hpp"
 #include "part_markers.hpp"
 #include "present_joints.hpp"
 #include "process_io_watch.hpp"
@@ -79,6 +81,7 @@ class TrajectoryDriver {
   PreparedJob prepared(const MachineToolpath& placed, Progress& progress);
   Driven drive(const PreparedJob& prepared, MapOfFirstLayer first_map);
   DriveJob jobOf(const MachineToolpath& placed, Progress& progress);
+  MachineToolpath toolpath(const lamina_msgs::DriveToolpathGoal& goal);
   MachineToolpath toolpath(const std::string& id);
   Driven run(const DriveMotion& motion);
   std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
@@ -87,7 +90,9 @@ class TrajectoryDriver {
   void abortIfCancelled(DriveSession& session) const;
   void awaitProcessIo() const;
   void holdIfProcessFails(DriveSession& session) const;
+  void holdWithoutOwner(DriveSession& session);
   void goOnWith(const DriveJob& plan);
+  void publishToolpath(const MachineToolpath& placed);
   void awaitFirstMap(ChunkCorrection& correction) const;
   std::optional<HeardMap> lastMap() const;
   void correctByLastMap(DriveSession& session, const std::string& toolpath_id) const;
@@ -116,7 +121,8 @@ class TrajectoryDriver {
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::Subscriber plan_;
-  ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with; advertised with the first
+  ros::Publisher
+      toolpath_publisher_;  ///< of plans that are gone on with, and of files; advertised with the first
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
@@ -125,6 +131,7 @@ class TrajectoryDriver {
   ProcessPublisher process_;
   ProcessIoWatch process_io_;
   PresentJoints joints_;
+  OwnerWatch owner_watch_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the controller
   std::shared_ptr<DriveSession> session_;
@@ -134,8 +141,12 @@ class TrajectoryDriver {
 
   std::atomic<bool> is_driving_{false};
   std::atomic<bool> is_abort_requested_{false};  ///< of the goal
+  // Of the goal, and of the thread that drives.
   std::string job_;
-  DryOrder dry_;  ///< of the goal under way
+  std::optional<DrivenFile> file_;  ///< none if a published toolpath is driven
+  bool is_ordered_by_cell_ = false;
+  bool is_hold_due_ = false;  ///< the cell is gone, and the job cannot be held yet
+  DryOrder dry_;              ///< of the goal under way
   JobOverrides overrides_;
   ControllerClient controller_;
   JogDriver jog_;

@@ -7,7 +7,6 @@
 #include <ros/ros.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -30,6 +29,7 @@ using test::CellOfNodes;
 using test::Command;
 using test::commandsOf;
 using test::kAccepted;
+using test::runs;
 using test::squareProgram;
 using test::waitUntil;
 
@@ -64,12 +64,6 @@ TEST(CellController, PrintsReleasedJobsOneAfterTheOther) {
   EXPECT_TRUE(cell.confirmRemoval("page: anna"));
   EXPECT_FALSE(cell.confirmRemoval("test"));
   EXPECT_TRUE(cell.isInJournal("page: anna"));
-}
-
-/// Runs a command of the shell; its exit code.
-int runs(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TEST(CellController, WritesTheRecordOfAPart) {

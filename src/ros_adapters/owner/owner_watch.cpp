@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "owner_watch.hpp"
+#include "owner/owner_watch.hpp"
 
 #include <utility>
 
@@ -25,6 +25,12 @@ bool OwnerWatch::takeLoss() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool is_lost = clock_.now() - heard_s_ > grace_s_;
   return is_lost && !std::exchange(is_told_, true);
+}
+
+bool OwnerWatch::isLost() const {
+  if (grace_s_ <= 0.0) return false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return clock_.now() - heard_s_ > grace_s_;
 }
 
 }  // namespace lamina

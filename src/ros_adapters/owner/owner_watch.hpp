@@ -23,12 +23,15 @@ class OwnerWatch {
   /// True once for each time that it is gone.
   bool takeLoss();
 
+  /// Whether it is gone now.
+  bool isLost() const;
+
  private:
   void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
 
   SteadyClock clock_;
   double grace_s_;
-  std::mutex mutex_;  ///< of everything below
+  mutable std::mutex mutex_;  ///< of everything below
   double heard_s_ = 0.0;
   bool is_told_ = false;
   ros::Subscriber status_;

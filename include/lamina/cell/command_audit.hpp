@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "lamina/cell/cell_time.hpp"
+#include "lamina/cell/unit_machine.hpp"
+#include "lamina/journal/cell_journal.hpp"
+
+namespace lamina {
+
+/// What the audit says of commands. A client that asks again and again for what is refused fills neither disk
+/// nor audit: of one command of one source, refused repeatedly, one row a second is written, and the next row
+/// counts the others.
+class CommandAudit {
+ public:
+  /// The row of a command and its answer; nothing if it is only counted.
+  std::optional<AuditRow> rowOf(const UnitRequest& request, const CommandAnswer& answer, CellTime now);
+
+ private:
+  /// The last command that was refused, and the number of repetitions that were not written.
+  struct Refusal {
+    std::string who;
+    std::string action;
+    double written_s = 0.0;
+    std::size_t unwritten = 0;
+  };
+  Refusal refusal_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/drivable_toolpath.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/program/csv/csv_reader.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "lamina/toolpath/process_levels.hpp"
+#include "lamina/toolpath/process_support.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr char kBy[] = "joint trajectories";
+constexpr char kInclined[] = "#LAYER_FRAME:";  // begins the file if layers are inclined
+constexpr std::size_t kShownBytes = 40;        // of a line that begins no toolpath
+
+bool beginsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+/// The reader would name the column that is missing; who queues a program wants to know that it is none.
+void requireToolpath(std::string_view text) {
+  if (beginsWith(text, kCsvHeader) || beginsWith(text, kInclined)) return;
+  std::string line(text.substr(0, std::min(text.find_first_of("\r\n"), kShownBytes)));
+  for (char& c : line)
+    if (c < ' ' || c > '~') c = '?';
+  throw InvalidProgram(
+      "line 1 is '" + line +
+      "'; expected the header of a toolpath, as `lamina slice part.stl -o part.csv` writes it");
+}
+
+}  // namespace
+
+ToolpathOnBed readToolpathOnBed(const std::string& path, Placement placement, const BuildSpace& space) {
+  const std::string text = readTextFile(path);
+  requireToolpath(text);
+  ToolpathOnBed placed;
+  placed.toolpath = readCsv(text, std::filesystem::path(path).stem().string());
+  if (placement == Placement::Centre) placed.bed_from_part = placeDeposition(placed.toolpath, space);
+  return placed;
+}
+
+void requireDrivable(const Toolpath& toolpath) {
+  requireSupported(toolpath, {ProcessElement::Fan, ProcessElement::Dwell, ProcessElement::Value}, kBy);
+  requireLevels(toolpath, kBy);
+}
+
+KinematicModelRun drivableRun(ToolpathOnBed placed, const CheckedMachine& machine,
+                              const DriveCheckSettings& settings,
+                              const std::function<void(const MachineCheck&)>& found, Progress& progress) {
+  requireDrivable(placed.toolpath);
+  KinematicModelRun run =
+      runOn(machine, std::move(placed.toolpath), placed.bed_from_part, settings.joints, progress);
+  const MachineCheck check = checkRun(run, machine, settings.clearance, progress);
+  found(check);
+  requireClear(check, machine.model());
+  return run;
+}
+
+}  // namespace lamina

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "action_executor.hpp"
+#include "lamina/job/part/placement.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). It resumes none that was
+/// cut off.
+class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAction> {
+ public:
+  /// @param placement  of jobs on the bed
+  /// @param report  takes what the executor says
+  DriverExecutor(const ros::NodeHandle& node, Placement placement,
+                 std::function<void(const ExecutorReport&)> report);
+
+  ExecutorTraits traits() const override;
+
+ protected:
+  lamina_msgs::DriveToolpathGoal goalOf(const StartOrder& order) const override;
+  std::uint64_t takenThrough(const lamina_msgs::DriveToolpathResult& result) const override;
+
+ private:
+  Placement placement_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job_rules.hpp"
+
+#include "lamina/job/drivable_toolpath.hpp"
+#include "lamina/job/program_check.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
+
+namespace lamina {
+namespace {
+
+/// Layers of a program, by what its comments say; 0 if they say nothing.
+std::int32_t layersOf(const StreamableProgram& program) {
+  ProgramCursor cursor = program.open();
+  while (cursor.next()) {
+  }
+  return cursor.layer() + 1;
+}
+
+std::int32_t checkedToolpath(const std::string& path, const CellControllerSettings& settings,
+                             Progress& progress) {
+  const auto model = kinematicModelOf(settings.machine);
+  ToolpathOnBed placed = readToolpathOnBed(path, settings.placement, buildSpaceOf(settings.machine));
+  const auto layers = static_cast<std::int32_t>(placed.toolpath.layers.size());
+  drivableRun(
+      std::move(placed), CheckedMachine(*model), settings.drive, [](const MachineCheck&) {}, progress);
+  return layers;
+}
+
+}  // namespace
+
+std::int32_t checkedLayers(const std::string& path, const CellControllerSettings& settings,
+                           Progress& progress) {
+  if (settings.executor == ExecutorKind::Driver) return checkedToolpath(path, settings, progress);
+  requirePrintable(path, settings.machine);
+  return layersOf(StreamableProgram::fromFile(path));
+}
+
+std::string jobSheet(const CellControllerSettings& settings) {
+  std::string sheet = machineSheet(settings.machine);
+  if (settings.executor == ExecutorKind::Stream) return sheet;
+  return sheet + "executor: trajectory_driver\nplacement: " +
+         (settings.placement == Placement::AsIs ? "as_is" : "centre") + '\n';
+}
+
+}  // namespace lamina

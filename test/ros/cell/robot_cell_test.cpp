@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The nodes cell_controller and trajectory_driver at a simulated controller that outlives both.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "ros/cell/unit_of_nodes.hpp"
+#include "ros/drive/two_beads.hpp"
+
+namespace lamina {
+namespace {
+
+using test::Command;
+using test::kAccepted;
+using test::kHalf;
+using test::NodeProcess;
+using test::runs;
+using test::waitUntil;
+
+constexpr char kMachine[] = "five_axis_head_table";
+constexpr unsigned kRows = 6;  // of two beads and the travel between them
+
+/// The file of two beads, slow enough for a person, or a busy computer, to do something meanwhile: 37 s.
+std::string slowBeads(double z = test::kHeight) {
+  Toolpath beads = test::twoBeads(z);
+  for (Path& path : beads.layers[0].paths) path.feed_mm_s = 3.0;
+  std::string csv;
+  writeCsv(beads, [&csv](std::string_view piece) { csv += piece; });
+  return csv;
+}
+
+/// A robot's cell: simulated controller, driver and unit, of which the last two can be killed.
+class RobotCell : public test::UnitOfNodes {
+ public:
+  /// @param host_wait_s  of the controller, for a driver that is late or dead
+  explicit RobotCell(const std::string& name, double owner_grace_s = 0.0, double host_wait_s = 60.0)
+      : UnitOfNodes(name, {"_executor/kind:=driver", "_executor/placement:=as_is",
+                           std::string("_machine/name:=") + kMachine}),
+        owner_grace_s_(owner_grace_s),
+        machine(space_, kMachine) {
+    // No goal may be left out: each is a piece of the way.
+    const std::string controller_action = space_ + '/' + names::kFollowJointTrajectory;
+    ros::param::set(controller_action + "/actionlib_client_pub_queue_size", 1000);
+    ros::param::set(controller_action + "/actionlib_server_pub_queue_size", 10000);
+    const std::string chosen = std::string("_machine/name:=") + kMachine;
+    robot_ = start({}, LAMINA_CONTROLLER_NODE, {chosen, "_host_wait_s:=" + std::to_string(host_wait_s)});
+    follower_ =
+        start({}, LAMINA_PUBLISHER_NODE, {chosen, "_mode:=follow", "/tf:=tf", "/tf_static:=tf_static"});
+    startDriver();
+    startController();
+  }
+  ~RobotCell() {
+    controller.reset();  // before what it commands
+  }
+
+  void startDriver() {
+    driver = start({}, LAMINA_DRIVER_NODE,
+                   {std::string("_machine/name:=") + kMachine, "_executor/owner:=cell_controller",
+                    "_owner/grace_s:=" + std::to_string(owner_grace_s_), "_tracking/silence_by:=stamps",
+                    "_feeder/points:=250", "_feeder/ahead_s:=4", "_start_delay_s:=0.2",
+                    "_approach/lift_mm:=5", "_approach/joint_speed:=1.0", "_lift_mm_s:=20"});
+  }
+  std::uint32_t enqueueReleased() {
+    const std::uint32_t job = enqueue(slowBeads(), "beads.csv");
+    EXPECT_NE(job, 0U) << reason;
+    EXPECT_EQ(change(job, lamina_msgs::ChangeQueue::Request::RELEASE), "");
+    return job;
+  }
+  /// Whether a job is brought to where it deposits.
+  void bringToBead() {
+    ASSERT_TRUE(starts());
+    ASSERT_TRUE(reaches("Execute"));
+    ASSERT_TRUE(waitUntil([this] { return machine.isDepositing() || status.state_name != "Execute"; }));
+    ASSERT_EQ(status.state_name, "Execute") << status.stop_message;
+  }
+  std::string recordOf(const std::string& job) const {
+    const std::string file = folder.path() + "/record.json";
+    EXPECT_EQ(
+        runs(std::string(LAMINA_COMMAND) + " record " + folder.path() + "/cell " + job + " --json > " + file),
+        0);
+    return readFile(file);
+  }
+
+ private:
+  double owner_grace_s_;
+  std::unique_ptr<NodeProcess> robot_;
+  std::unique_ptr<NodeProcess> follower_;
+
+ public:
+  test::DriveCell machine;
+  std::unique_ptr<NodeProcess> driver;
+};
+
+bool isIn(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(RobotCell, RunsAJobThatIsHeldAndAbortsTheNext) {
+  RobotCell cell("robot_runs");
+  EXPECT_EQ(cell.enqueue("G28\nG1 X10 E1\n", "part.gcode"), 0U);
+  EXPECT_TRUE(isIn(cell.reason, "line 1 is 'G28'; expected the header of a toolpath")) << cell.reason;
+  EXPECT_EQ(cell.enqueue(slowBeads(-40.0), "under.csv"), 0U);
+  EXPECT_TRUE(isIn(cell.reason, "collision") || isIn(cell.reason, "bed")) << cell.reason;
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  EXPECT_EQ(cell.status.lines, kRows);
+  EXPECT_FALSE(cell.machine.calls(names::kAbort)) << "orders are the cell's alone";
+
+  ASSERT_EQ(cell.command(Command::HOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Held"));
+  EXPECT_TRUE(cell.machine.staysSafe());
+  const Point3 held = cell.machine.tip(cell.machine.reports.back());
+  EXPECT_LT(cell.status.lines_acknowledged, kRows);
+  ASSERT_EQ(cell.command(Command::UNHOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(waitUntil([&] { return cell.machine.isDepositing(); }));
+  // It may have gone on for a moment until it was seen.
+  EXPECT_LT((cell.machine.tip(cell.machine.reports[cell.machine.lastDeposit()]) - held).norm(), kHalf);
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged == kRows; }));
+  EXPECT_EQ(cell.status.parts, 1U);
+  EXPECT_TRUE(cell.status.is_part_on_plate);
+  EXPECT_LT((cell.machine.tip(cell.machine.reports.back()) - Point3(-kHalf, 35, test::kHeight)).norm(), 0.01);
+  const std::string record = cell.recordOf("1");
+  EXPECT_TRUE(isIn(record, "\"good\"") && isIn(record, "1001 held by the operator")) << record;
+
+  EXPECT_TRUE(cell.confirmRemoval("test"));
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  ASSERT_EQ(cell.command(Command::ABORT), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  EXPECT_TRUE(cell.machine.staysSafe());
+  EXPECT_GT(cell.machine.tip(cell.machine.reports.back()).z(), test::kHeight + 5.0) << "the tool is lifted";
+  EXPECT_TRUE(waitUntil([&] { return cell.queue.jobs.empty(); })) << "it has ended";
+  EXPECT_FALSE(cell.status.resume_waits);
+}
+
+TEST(RobotCell, KeepsHowFarTheJobOfAKilledDriverWas) {
+  RobotCell cell("robot_killed", 0.0, 10.0);
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  ASSERT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged > 0; }));
+  EXPECT_EQ(cell.driver->end(SIGKILL), -1);
+  EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(2201); }));
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  EXPECT_EQ(cell.status.stop_reason, 2201);
+  EXPECT_TRUE(isIn(cell.status.stop_message, "trajectory_driver gives no sign of life"))
+      << cell.status.stop_message;
+  const unsigned reached = cell.status.lines_acknowledged;
+  EXPECT_TRUE(cell.status.resume_waits);
+  EXPECT_TRUE(isIn(cell.status.resume_refusal, "trajectory_driver resumes no job"))
+      << cell.status.resume_refusal;
+  const std::string kept = cell.folder.path() + "/kept";
+  ASSERT_EQ(runs("/usr/bin/python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1])"
+                 ".execute(\"SELECT taken_through FROM progress\").fetchall())' " +
+                 cell.journalFile() + " > " + kept),
+            0);
+  EXPECT_EQ(readFile(kept), "[(" + std::to_string(reached) + ",)]\n");
+
+  cell.startDriver();
+  EXPECT_TRUE(waitUntil([&] { return !cell.hasAlarm(2201) || cell.alarms.alarms[0].is_gone; }));
+  cell.acknowledgeAll();
+  ASSERT_TRUE(waitUntil([&] { return cell.command(Command::CLEAR) == kAccepted; })) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  cell.bringToIdle();
+  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted);
+  EXPECT_TRUE(isIn(cell.reason, "trajectory_driver resumes no job")) << cell.reason;
+  EXPECT_NE(cell.command(Command::START), kAccepted);
+  EXPECT_TRUE(isIn(cell.reason, "was cut off after waypoint " + std::to_string(reached))) << cell.reason;
+  EXPECT_TRUE(cell.confirmRemoval("test"));
+  cell.enqueueReleased();
+  ASSERT_TRUE(cell.starts(Command::DISCARD));
+  ASSERT_TRUE(cell.reaches("Execute"));
+  ASSERT_EQ(cell.command(Command::STOP), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  EXPECT_TRUE(cell.machine.staysSafe());
+}
+
+// Nobody would see what the robot does, or stop it.
+TEST(RobotCell, FindsItsJobHeldWhenItWasGoneForLong) {
+  RobotCell cell("robot_alone", 1.0);
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  EXPECT_EQ(cell.controller->end(SIGKILL), -1);
+  EXPECT_TRUE(cell.machine.comesTo("Held")) << cell.machine.state;
+  EXPECT_TRUE(cell.machine.staysSafe());
+  cell.startController();
+  EXPECT_EQ(cell.status.state_name, "Held");
+  ASSERT_EQ(cell.command(Command::UNHOLD), kAccepted) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged == kRows; }));
+}
+
+TEST(RobotCell, IsLaunched) {
+  std::string refusal;
+  EXPECT_TRUE(waitUntil([&refusal] {
+    lamina_msgs::PackmlCommand call;
+    call.request.expected_sequence = -1;
+    call.request.command = Command::RESET;
+    if (!callService("/launched_robot/packml_command", call)) return false;
+    call.request.command = Command::START;
+    if (!callService("/launched_robot/packml_command", call)) return false;
+    refusal = call.response.message;
+    return isIn(refusal, "no job of the queue") && !isIn(refusal, "no sign of life");
+  })) << refusal;
+}
+
+}  // namespace
+}  // namespace lamina
