@@ -89,7 +89,7 @@ Plan planOf(ModifiedLayers modified, const PlanningRequest& request, const Box2&
   const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
     return planPart(request.partName(), std::move(modified.layers), settings,
-                    VariedBed{bed, modified.variants, &modified.marks}, progress);
+                    VariedBed{bed, modified.variants, &modified.marks, &modified.seams}, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }
