@@ -221,6 +221,29 @@ class Calibrate(unittest.TestCase):
         for key in ("machine.name", "program.dialect", "program.bed_temperature_c"):
             self.assertEqual(listed[key], of_machine[key], key)
 
+    def test_the_flow_is_found_by_the_thickness_of_walls(self):
+        program = os.path.join(self.folder, "flow.gcode")
+        plan = reported("calibrate", "plan", "flow", "-o", program)
+        self.assertEqual(plan["multipliers"], [0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15])
+        # Seven squares of 60 mm in 30 layers, of 0.45 x 0.2 mm with round sides at a multiplier of 1.
+        self.assertAlmostEqual(plan["deposition_mm"], 7 * 30 * 60, delta=1e-6 * 12600)
+        core = 0.45 - (1 - math.pi / 4) * 0.2
+        self.assertAlmostEqual(plan["deposited_mm3"], 12600 * 0.2 * core, delta=0.1)
+        walls = os.path.join(self.folder, "walls.csv")
+        with open(walls, "w", encoding="ascii") as table:
+            table.write("multiplier,thickness_mm\n")
+            for multiplier in plan["multipliers"]:
+                table.write(f"{multiplier},{0.9 * multiplier * core + (1 - math.pi / 4) * 0.2!r}\n")
+        found = reported("calibrate", "flow", walls)
+        self.assertAlmostEqual(found["share"], 0.9, delta=1e-6)
+        self.assertAlmostEqual(found["flow"], 1 / 0.9, delta=1e-6)
+        self.assertEqual((found["readings"], found["caution"]), (7, ""))
+        with open(walls, "a", encoding="ascii") as table:
+            table.write("1.0,-0.4\n")
+        refused = lamina("calibrate", "flow", walls)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("walls.csv' line 9: thickness_mm is -0.4", refused.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -516,11 +516,11 @@ class Regions(unittest.TestCase):
         self.assertNotEqual(lamina("slice", part).returncode, 0, "nothing is left")
 
     def test_what_is_left_is_refused_by_name(self):
-        for key in ("supports.density", "feed.support_mm_s", "feed.skirt_mm_s", "tool.support", "overhangs.use",
+        for key in ("supports.top_gap_mm", "feed.support_mm_s", "feed.skirt_mm_s", "tool.support", "overhangs.use",
                     "bead.width_mm", "travel.hop_mm"):
             self.assertIn("'%s'" % key, self.refusal([RIGHT + ", settings: {%s: 1}" % key]))
         self.assertIn("tool.walls is 3", self.refusal([RIGHT + ", settings: {tool: 3}"], *TOOLS))
-        self.assertIn("'seam_here' is not supported yet", self.refusal([RIGHT + ", kind: seam_here"]))
+        self.assertIn("or seam_here", self.refusal([RIGHT + ", kind: seam"]))
         self.assertIn("expected no settings", self.refusal([RIGHT + ", kind: support_blocker, settings: {flow: 1}"]))
 
     def test_a_region_that_changes_nothing_leaves_the_program_as_it_was(self):

@@ -138,5 +138,12 @@ TEST(JobSettings, ValidateFindsWhatCodeHasSet) {
   EXPECT_THROW(validate(settings), InvalidConfig);
 }
 
+TEST(JobSettings, TakesKeysThatOthersKnowThemBy) {
+  const JobSettings settings =
+      loadJobSettings("", {{"supports.on", "bed"}, {"first_layer.height_mm", "0.3"}});
+  EXPECT_EQ(settings.planning.supports.foot, SupportFoot::Bed);
+  EXPECT_EQ(settings.slicing.first_layer_height_mm, 0.3);
+}
+
 }  // namespace
 }  // namespace lamina

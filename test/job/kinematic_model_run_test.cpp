@@ -32,6 +32,27 @@ TEST(KinematicModelRun, HasJointsThatBringTheNozzleToEveryStepOfTheDividedToolpa
   }
 }
 
+/// The head of a gantry stands beside the nozzle of the second tool, by its offset.
+TEST(KinematicModelRun, HasTheNozzleOfTheToolInUseAtTheBead) {
+  const auto machine = kinematicModelByName("cartesian_gantry");
+  Toolpath toolpath = longBead();
+  toolpath.layers[0].paths.push_back(test::straightPath({0, 5, 0.2}, {100, 5, 0.2}));
+  toolpath.layers[0].paths[1].tool = 1;
+  JointPathSettings settings;
+  settings.tool_offsets_mm = {Point3::Zero(), Point3(30, -2, 0.5)};
+  NoProgress nobody;
+  const KinematicModelRun run =
+      runOn(*machine, toolpath, Isometry3d(Eigen::Translation3d(60, 60, 5)), settings, nobody);
+  ASSERT_TRUE(run.path.isRunnable());
+  for (std::size_t i = 0; i < run.path.at.size(); ++i) {
+    const WaypointIndex& at = run.path.at[i];
+    const Point3 tip = machine->bedFromNozzle(run.path.values[i]).translation();
+    const Point3 planned = Point3(60, 60, 5) + run.toolpath().layers[0].paths[at.path].points[at.waypoint];
+    const Point3 expected = at.path == 0 ? planned : Point3(planned - Point3(30, -2, 0.5));
+    EXPECT_LT((tip - expected).norm(), 1e-6) << i;
+  }
+}
+
 TEST(KinematicModelRun, TakesTheTimeOfItsMotionFromRestToRest) {
   const auto machine = kinematicModelByName("five_axis_head_ac");
   TimingSettings settings;

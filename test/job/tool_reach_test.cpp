@@ -6,7 +6,9 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/plate/plate_job.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -32,6 +34,20 @@ TEST(ToolReach, CountsHowFarTheTipIsFromThatOfTheFirstTool) {
   EXPECT_NE(beyond.find("reaches 0.000 to 220.000 mm"), std::string::npos) << beyond;
   const std::string above = refusalWith("0, 0, -260");
   EXPECT_NE(above.find("with the offset of tool 1, axis z would be at 26"), std::string::npos) << above;
+}
+
+/// Where nobody states the tools, `lamina check` takes them from the program.
+TEST(ToolReach, OffsetsStandInTheHeadOfAProgram) {
+  const test::ScratchFolder folder;
+  const std::string program = folder.file("box.gcode");
+  NoProgress nobody;
+  const std::vector<SettingText> set = {{"tools.list", "[{name: a}, {name: b, offset_mm: [30, -0.5, 0.1]}]"},
+                                        {"tool.infill", "1"}};
+  runSliceJob({"box", program, loadJobSettings("", set)}, nobody);
+  EXPECT_EQ(toolOffsetsIn(program), (std::vector<Point3>{Point3::Zero(), Point3(30, -0.5, 0.1)}));
+  runSliceJob({"box", program, loadJobSettings("", {})}, nobody);
+  EXPECT_TRUE(toolOffsetsIn(program).empty());
+  EXPECT_TRUE(toolOffsetsIn("box.csv").empty()) << "not read";
 }
 
 /// Walls begin 100.2 mm from the edge of the bed, and leads of 8 mm before them.

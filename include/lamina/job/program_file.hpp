@@ -4,7 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -34,6 +36,11 @@ Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
 /// @throws as `readProgram`
 std::optional<StatedMotion> readStatedMotion(const std::string& path, const ProgramSettings& settings,
                                              const KinematicModel& model);
+
+/// Offsets of tools' nozzles that the head of a program in G-code states (`;TOOL_OFFSET:`), by tool, along
+/// the axes of the program; none for others.
+/// @throws FileError; InvalidProgram if a comment states no offset
+std::vector<Point3> toolOffsetsIn(const std::string& path);
 
 /// Whether the suffix is that of a toolpath: .csv, in capitals too.
 bool isToolpathFile(const std::string& path);

@@ -61,6 +61,8 @@ struct VariedBed {
   Box2 bed;  ///< where the nozzle may be [mm, part frame]
   const std::vector<PlanVariant>& variants;
   const SupportMarks* marks = nullptr;  ///< null for none
+  /// Areas in which walls that pass through them start, by layer; null or empty for none.
+  const std::vector<Regions>* seams = nullptr;
 };
 
 /// The place of inclined layers: bed and rotation.

@@ -10,6 +10,7 @@
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/planning/tools/tool_settings.hpp"
 #include "profile_options.hpp"
 #include "toolpath_input.hpp"
 
@@ -66,7 +67,10 @@ KinematicModelRun runOfInput(const CheckedMachine& machine, const std::string& i
   const bool is_toolpath = !isPart(input) && !isProgramFile(input);
   if (is_toolpath && settings.placement == Placement::Centre)
     read.bed_from_part = placeDeposition(read.toolpath, buildSpaceOf(settings.machine));
-  return runOn(machine, std::move(read.toolpath), read.bed_from_part, settings.joints, progress);
+  JointPathSettings joints = settings.joints;
+  joints.tool_offsets_mm = toolOffsets(settings.planning.tools);
+  if (joints.tool_offsets_mm.empty()) joints.tool_offsets_mm = toolOffsetsIn(input);
+  return runOn(machine, std::move(read.toolpath), read.bed_from_part, joints, progress);
 }
 
 }  // namespace lamina::cli

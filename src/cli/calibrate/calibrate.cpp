@@ -6,14 +6,16 @@
 namespace lamina::cli {
 
 void addCalibrate(CLI::App& app, Chosen& chosen) {
-  CLI::App* subcommand = app.add_subcommand("calibrate",
-                                            "Find when and from where a profile sensor sees, how late a "
-                                            "feeder follows, where tip, work object and external axes are");
+  CLI::App* subcommand = app.add_subcommand(
+      "calibrate",
+      "Find when and from where a profile sensor sees, how late a "
+      "feeder follows, how much it extrudes, where tip, work object and external axes are");
   subcommand->require_subcommand(1);
   addCalibratePlan(*subcommand, chosen);
   addCalibrateTime(*subcommand, chosen);
   addCalibrateSensor(*subcommand, chosen);
   addCalibrateFeeder(*subcommand, chosen);
+  addCalibrateFlow(*subcommand, chosen);
   addCalibrateTip(*subcommand, chosen);
   addCalibrateObject(*subcommand, chosen);
   addCalibratePositioner(*subcommand, chosen);

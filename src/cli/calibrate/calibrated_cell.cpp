@@ -67,6 +67,7 @@ CalibrateSettings calibrateSettingsFrom(const CalibrateArguments& arguments) {
   SettingsSchema schema;
   describe(schema, settings.machine, "Machine that is calibrated.");
   describe(schema, settings.calibration);
+  describe(schema, settings.flow_trial);
   describe(schema, settings.program);
   applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
   if (!arguments.machine.empty()) requireMachine(settings.machine, named, arguments.machine);

@@ -9,6 +9,7 @@
 #include "arguments/setting_options.hpp"
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/calibration/calibration_settings.hpp"
+#include "lamina/calibration/flow_trial.hpp"
 #include "lamina/calibration/sensor_recording.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -29,6 +30,7 @@ struct CalibrateArguments {
 struct CalibrateSettings {
   MachineSettings machine;
   CalibrationSettings calibration;
+  FlowTrialSettings flow_trial;
   ProgramSettings program;
 };
 
@@ -66,6 +68,7 @@ void keepCell(const CalibrateArguments& arguments, const Calibration& cell);
 void addCalibrateTime(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateSensor(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateFeeder(CLI::App& calibrate, Chosen& chosen);
+void addCalibrateFlow(CLI::App& calibrate, Chosen& chosen);
 void addCalibratePlan(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateTip(CLI::App& calibrate, Chosen& chosen);
 void addCalibrateObject(CLI::App& calibrate, Chosen& chosen);

@@ -237,8 +237,9 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
                 "Kind of layers; docs/slicing/modes.md distinguishes them.");
   describe(schema, settings.slicing);
-  // Taken beside the other keys of the first layer, too.
+  // Keys that others know them by.
   schema.renamed("first_layer.height_mm", "slicing.first_layer_height_mm");
+  schema.renamed("supports.on", "supports.foot");
   describe(schema, settings.automatic);
   describe(schema, settings.adapted);
   describe(schema, settings.curved);

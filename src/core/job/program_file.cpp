@@ -16,6 +16,7 @@
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
+#include "program/gcode/tool_offsets.hpp"
 
 namespace lamina {
 namespace {
@@ -75,6 +76,15 @@ std::optional<StatedMotion> readStatedMotion(const std::string& path, const Prog
   return readFiveAxisFile(path, [&](const std::string& text, const std::string& name) {
     return readFiveAxisMotion(text, model, settings.five_axis, settings, name);
   });
+}
+
+std::vector<Point3> toolOffsetsIn(const std::string& path) {
+  std::vector<Point3> offsets_mm;
+  if (!isGcodeFile(path)) return offsets_mm;
+  std::istringstream head(headOf(path));
+  for (std::string line; std::getline(head, line);)
+    readToolOffset(std::string_view(line).substr(1), offsets_mm);
+  return offsets_mm;
 }
 
 bool isToolpathFile(const std::string& path) { return smallSuffix(path) == ".csv"; }

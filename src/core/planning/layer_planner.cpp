@@ -63,7 +63,7 @@ class LayerPlanner {
         settings_(context.settings),
         index_(index),
         nozzle_(anchorOf(*stacked.layer, context)),
-        seam_(settings_.seam, nozzle_, index),
+        seam_(settings_.seam, nozzle_, index, stacked.seams),
         travels_(settings_.travel, settings_.bead.width_mm),
         top_(stacked.layer->bounds.top_mm),
         cover_(stacked.cover),

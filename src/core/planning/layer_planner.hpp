@@ -60,6 +60,7 @@ struct StackedLayer {
   const LayerAids* aids = nullptr;          ///< deposited first, but for supports; null for none
   const Regions* supports = nullptr;        ///< below an inclined layer, carried up to it; null for none
   std::vector<LayerVariant> variants = {};  ///< those with an area in it
+  const Regions* seams = nullptr;           ///< where walls that pass start; null for anywhere
 };
 
 /// The paths of one layer.

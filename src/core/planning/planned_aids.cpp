@@ -124,7 +124,9 @@ class AidPlanner {
   void addSupports(Progress& progress) {
     std::vector<LayerAids> supports;
     if (settings_.supports.kind == SupportKind::Lattice) {
-      supports = supportLattice(supports_.layers, settings_, window_.place, progress);
+      LatticePlace place = window_.place;
+      place.variants = support_regions_.variants;
+      supports = supportLattice(supports_.layers, settings_, place, progress);
       for (std::size_t i = 0; i < supports.size(); ++i)
         if (i < window_.asked.begin || i >= window_.asked.end) supports[i].clear();
       planned_.supports = supports_.totals;

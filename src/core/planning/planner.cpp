@@ -429,6 +429,7 @@ void requireTower(const PlanContext& context) {
 struct PlanRegions {
   const std::vector<PlanVariant>* variants = nullptr;
   const SupportMarks* marks = nullptr;
+  const std::vector<Regions>* seams = nullptr;
   std::vector<Layer>* spent = nullptr;   ///< the layers, of which no section is needed once it is planned
   std::optional<PlannedAids> aids = {};  ///< if they are planned already
   std::vector<LayerCover> covers = {};   ///< of lifted layers (`LayerLifting::covers`)
@@ -479,7 +480,9 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        planned[i] = planMeasured(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : contextAt(i));
+        StackedLayer stacked = stackedAt(layers, of_stack, i);
+        if (regions.seams != nullptr && i < regions.seams->size()) stacked.seams = &(*regions.seams)[i];
+        planned[i] = planMeasured(stacked, i, i == 0 ? on_bed : contextAt(i));
         if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
         takeRoomNeeded(planned[i].layer.paths);
@@ -533,7 +536,8 @@ Plan planPart(const std::string& part_name, std::vector<Layer> layers, const Pla
               const VariedBed& varied, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   context.level_bed = varied.bed;
-  Plan plan = planInContext(layers, context, progress, {&varied.variants, varied.marks, &layers});
+  Plan plan =
+      planInContext(layers, context, progress, {&varied.variants, varied.marks, varied.seams, &layers});
   plan.toolpath.part_name = part_name;
   return plan;
 }

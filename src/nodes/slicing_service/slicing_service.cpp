@@ -143,8 +143,9 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Jo
   if (!settings.clearance.is_shown) return findings;
   const auto model = kinematicModelOf(settings.machine);
   const CheckedMachine machine(*model);
-  const KinematicModelRun run =
-      runOn(machine, sliced.toolpath, sliced.bed_from_part, settings.joints, progress);
+  JointPathSettings joints = settings.joints;
+  joints.tool_offsets_mm = toolOffsets(settings.planning.tools);
+  const KinematicModelRun run = runOn(machine, sliced.toolpath, sliced.bed_from_part, joints, progress);
   if (!run.path.isRunnable())
     ROS_WARN_STREAM(model->name() << " cannot be led to " << run.path.faults.size()
                                   << " waypoints, the first: " << run.path.faults.front().reason);

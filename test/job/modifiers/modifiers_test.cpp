@@ -153,11 +153,12 @@ TEST_F(ModifiersTest, AreRefusedByNameAndPlace) {
   EXPECT_NE(refusal().find("infill.densty"), std::string::npos) << refusal();
   write("  - {from_mm: 3, to_mm: 2, settings: {infill.density: 1}}\n");
   EXPECT_NE(refusal().find("from_mm is 3"), std::string::npos) << refusal();
-  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: seam_here}\n");
-  EXPECT_NE(refusal().find("seam_here"), std::string::npos) << refusal();
+  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: seam_there}\n");
+  EXPECT_NE(refusal().find("seam_there"), std::string::npos) << refusal();
   write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: support_blocker, settings: {infill.density: 1}}\n");
   EXPECT_NE(refusal().find("expected no settings"), std::string::npos) << refusal();
-  for (const std::string key : {"supports.density", "feed.support_mm_s", "tool.support", "overhangs.use"}) {
+  for (const std::string key :
+       {"supports.top_gap_mm", "feed.support_mm_s", "tool.support", "overhangs.use"}) {
     write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], settings: {" + key + ": 1}}\n");
     EXPECT_NE(refusal().find("'" + key + "'"), std::string::npos) << refusal();
   }
@@ -172,6 +173,56 @@ TEST_F(ModifiersTest, AreRefusedByNameAndPlace) {
   EXPECT_NE(refusal(), "");
   job_.settings.slicing.mode = "curved";
   EXPECT_NE(refusal().find("part.modifiers"), std::string::npos) << refusal();
+}
+
+/// By default walls start at (0, 0); a post in a corner or on a side takes them over, in its layers alone.
+TEST_F(ModifiersTest, WallsStartWhereSeamsArePut) {
+  const auto startsOf = [](const Toolpath& toolpath, std::size_t layer) {
+    std::vector<Point2> starts;
+    for (const Path& path : toolpath.layers.at(layer).paths)
+      if (path.role == PathRole::OuterWall || path.role == PathRole::InnerWall)
+        starts.emplace_back(path.firstPoint().head<2>());
+    return starts;
+  };
+  write("  - {box_mm: [[7, -1, 1], [12, 3, 3]], kind: seam_here}\n");
+  const Toolpath toolpath = run();
+  double low = 1e9;
+  for (const Point2& start : startsOf(toolpath, 0)) low = std::min(low, start.x());
+  const auto inMiddle = [&](std::size_t layer) {
+    const std::vector<Point2> starts = startsOf(toolpath, layer);
+    EXPECT_EQ(starts.size(), 2U);
+    return std::all_of(starts.begin(), starts.end(),
+                       [&](const Point2& start) { return std::abs(start.x() + 0.2 - low - 9.5) < 0.4; });
+  };
+  EXPECT_FALSE(inMiddle(0));
+  EXPECT_TRUE(inMiddle(10)) << "from 2 to 2.2 mm";
+  EXPECT_FALSE(inMiddle(17));
+}
+
+TEST_F(ModifiersTest, SupportsOfARegionHaveTheirOwnLines) {
+  job_.part = "tee";
+  job_.settings.planning.supports.use = true;
+  const auto supported_mm3 = [this] {
+    double volume = 0.0;
+    for (const ToolpathLayer& layer : run().layers)
+      for (const Path& path : layer.paths)
+        if (path.role == PathRole::Support) volume += depositedVolume(path);
+    return volume;
+  };
+  write("  - {box_mm: [[-100, -100, 0], [100, 100, 100]], settings: {supports.density: 0.3}}\n");
+  const double dense = supported_mm3();
+  job_.settings.modifiers.clear();
+  const double sparse = supported_mm3();
+  EXPECT_GT(dense, 1.5 * sparse) << "lines are twice as dense, links at their ends as long as before";
+  job_.settings.planning.supports.density = 0.3;
+  EXPECT_NEAR(dense, supported_mm3(), 1e-6) << "the region is the whole part";
+  job_.settings.modifiers = folder_.file("modifiers.yaml");
+  for (const char* const key : {"supports.top_gap_mm: 0.1", "supports.kind: tree", "supports.tool: 0"}) {
+    write(std::string("  - {box_mm: [[0, 0, 0], [9, 9, 9]], settings: {") + key + "}}\n");
+    const std::string text = refusal();
+    EXPECT_NE(text.find(std::string(key).substr(0, std::string(key).find(':'))), std::string::npos) << text;
+    EXPECT_NE(text.find("cannot be set for a region"), std::string::npos) << text;
+  }
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ namespace {
 
 /// A pitch of 0.4 x 0.2 mm beads is 0.357080 mm: 8 mm are 22 of them, 7.855760 mm.
 constexpr double kBrim = 7.85576;
+const Box2 kWide{{-100, -100}, {100, 100}};
 
 class LaidBesideTest : public ::testing::Test {
  protected:
@@ -43,12 +44,12 @@ class LaidBesideTest : public ::testing::Test {
     }
   }
 
-  /// Free ways between boxes of 20 mm, along x or y.
-  double gap() {
+  /// Free ways between boxes of that width, along x or y.
+  double gap(double width_mm = 20.0) {
     NoProgress nobody;
     const SlicedPlate plate = runPlateJob(job_, nobody);
     const Point2 apart = (plate.parts[1].at_mm - plate.parts[0].at_mm).cwiseAbs();
-    return apart.maxCoeff() - 20.0;
+    return apart.maxCoeff() - width_mm;
   }
 
   test::ScratchFolder folder_;
@@ -58,18 +59,54 @@ class LaidBesideTest : public ::testing::Test {
 TEST_F(LaidBesideTest, CoversWhatBrimsAndRaftsDo) {
   NoProgress nobody;
   const Mesh cube = test::boxBetween({-10, -10, 0}, {10, 10, 2});
-  EXPECT_TRUE(laidBeside(cube, job_.settings, nobody).empty());
+  EXPECT_TRUE(laidBeside(cube, job_.settings, kWide, nobody).empty());
   EXPECT_EQ(reachBeside(job_.settings), 0.0);
   job_.settings.planning.adhesion.brim.width_mm = 8.0;
   const double side_mm = 20.0 + 2.0 * kBrim;
   EXPECT_NEAR(reachBeside(job_.settings), kBrim, 1e-5);
-  EXPECT_NEAR(area(laidBeside(cube, job_.settings, nobody)), side_mm * side_mm - 400.0, 0.01);
+  EXPECT_NEAR(area(laidBeside(cube, job_.settings, kWide, nobody)), side_mm * side_mm - 400.0, 0.01);
   job_.settings.planning.adhesion.brim.where = BrimWhere::Inside;
   EXPECT_EQ(reachBeside(job_.settings), 0.0);
-  EXPECT_TRUE(laidBeside(cube, job_.settings, nobody).empty()) << "it has no hole";
+  EXPECT_TRUE(laidBeside(cube, job_.settings, kWide, nobody).empty()) << "it has no hole";
   job_.settings.planning.adhesion.raft.layers = 2;
   EXPECT_EQ(reachBeside(job_.settings), 3.0);
-  EXPECT_NEAR(area(laidBeside(cube, job_.settings, nobody)), 26.0 * 26.0, 1e-3);
+  EXPECT_NEAR(area(laidBeside(cube, job_.settings, kWide, nobody)), 26.0 * 26.0, 1e-3);
+}
+
+/// 5 mm of the 7.86 are on the bed, on one side.
+TEST_F(LaidBesideTest, EndsAtTheEdgeOfTheBed) {
+  NoProgress nobody;
+  const Mesh cube = test::boxBetween({-10, -10, 0}, {10, 10, 2});
+  const Box2 bed{{-15, -100}, {100, 100}};
+  job_.settings.planning.adhesion.brim.width_mm = 8.0;
+  const double side_mm = 20.0 + 2.0 * kBrim;
+  EXPECT_NEAR(area(laidBeside(cube, job_.settings, bed, nobody)), side_mm * (side_mm - (kBrim - 5.0)) - 400.0,
+              0.01);
+  EXPECT_NEAR(cutAtEdge(job_.settings), kBrim, 1e-5);
+  job_.settings.planning.adhesion.raft.layers = 2;
+  EXPECT_EQ(cutAtEdge(job_.settings), 0.0);
+}
+
+/// Boxes of 100 mm with brims of 7.86 mm and 5 mm between these take 236.4 mm of the 220 mm in a row, of
+/// which the outer brims need not be on the bed: 220.7 mm. With 4 mm between them there is room.
+TEST_F(LaidBesideTest, TakesNoRoomBeyondTheBed) {
+  addBox("one", {100, 100, 0.4});
+  addBox("two", {100, 100, 0.4});
+  job_.settings.planning.adhesion.brim.width_mm = 8.0;
+  job_.settings.planning.infill.density = 0.0;
+  for (const PlateArrangement arrangement : {PlateArrangement::Rows, PlateArrangement::Pack}) {
+    job_.settings.plate.arrangement = arrangement;
+    for (PlatePart& part : job_.plate.parts) part.settings = {};
+    job_.settings.plate.spacing_mm = 4.0;
+    EXPECT_NEAR(gap(100.0), 4.0 + 2.0 * kBrim, 1e-4);
+    job_.settings.planning.skirt.count = 1;
+    EXPECT_NE(refusal().find("finds no room"), std::string::npos) << "the skirt goes round the brims";
+    job_.settings.planning.skirt.count = 0;
+  }
+  // 2 mm from the edges of the bed, and 16 mm apart: brims between them do not meet.
+  job_.plate.parts[0].at_mm = Point2(52, 110);
+  job_.plate.parts[1].at_mm = Point2(168, 110);
+  EXPECT_EQ(refusal(), "") << "their brims are cut where they stand";
 }
 
 /// Boxes end 5 mm apart, and each brim is 7.86 mm wide: it lies in the other, and below it.

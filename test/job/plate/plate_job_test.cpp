@@ -310,14 +310,29 @@ TEST_F(PlateJobTest, PrintsPartAfterPartTheLowestFirst) {
 
 TEST_F(PlateJobTest, RefusesAnOrderInWhichTheHeadWouldTouchAFinishedPart) {
   job_.settings.plate.order = PlateOrder::ByPart;
-  // The head of the gantry is a box of 40 mm, 25 mm above the tip.
-  add(box("first", {10, 10, 30}), Point2(60, 60));
+  add(box("first", {10, 10, 30}), Point2(60, 60));  // a head of 40 mm, 25 mm above the tip
   add(box("second", {10, 10, 31}), Point2(80, 60));
   const std::string text = refusal();
   EXPECT_NE(text.find("while part 'second' is printed, link 'head'"), std::string::npos) << text;
   EXPECT_NE(text.find("over the finished part 'first'"), std::string::npos) << text;
   job_.plate.parts[1].at_mm = Point2(100, 60);
   EXPECT_EQ(refusal(), "");
+}
+
+/// The head stands 30 mm beside the nozzle of the second tool: over the first part, or farther from it.
+TEST_F(PlateJobTest, CountsTheOffsetOfTheToolWhereTheHeadPassesFinishedParts) {
+  job_.settings.plate.order = PlateOrder::ByPart;
+  add(box("first", {10, 10, 30}), Point2(60, 60));
+  add(box("second", {10, 10, 31}), Point2(100, 60));
+  const auto refusalWith = [this](const char* offset_mm) {
+    job_.settings.planning.tools.list = {{"0.name", "one"}, {"1.offset_mm", offset_mm}};
+    return refusal();
+  };
+  EXPECT_EQ(refusalWith("30,0,0"), "") << "the second tool lays nothing";
+  ToolSettings& tools = job_.settings.planning.tools;
+  tools.walls = tools.skin = tools.infill = 1;
+  EXPECT_NE(refusalWith("30,0,0").find("while part 'second' is printed, link 'head'"), std::string::npos);
+  EXPECT_EQ(refusalWith("-30,0,0"), "");
 }
 
 /// Each level of a prime tower begins with its walls, two squares in one path.

@@ -4,6 +4,7 @@
 #include "calibration/recorded_cell.hpp"
 #include "job/settings/setting_probe.hpp"
 #include "lamina/calibration/cell_findings.hpp"
+#include "lamina/calibration/flow_trial.hpp"
 
 namespace lamina::test {
 namespace {
@@ -23,6 +24,24 @@ std::function<std::string(const SettingTexts& set)> motionsOf(ToCalibrate planne
       }
     return text;
   };
+}
+
+/// The squares of the lowest and of the highest layer, and how many layers there are.
+std::string squaresOfATrial(const SettingTexts& set) {
+  const Toolpath toolpath = flowTrialToolpath(settingsWith<FlowTrialSettings>(set));
+  std::string text = std::to_string(toolpath.layers.size()) + "\n";
+  for (const Path& path : toolpath.layers.front().paths)
+    for (const Point3& at : path.points)
+      text += numbersText({at.x(), at.y(), at.z(), path.feed_mm_s.at(0), path.bead.at(0).width_mm});
+  return text;
+}
+
+/// How well the flow is known by walls whose readings do not scatter.
+std::string spreadOfAFlow(const SettingTexts& set) {
+  const FlowTrialSettings settings = settingsWith<FlowTrialSettings>(set);
+  std::vector<FlowReading> readings;
+  for (const double multiplier : flowMultipliers({})) readings.push_back({multiplier, 0.08 * multiplier});
+  return numbersText({fitFlow(readings, settings).factor_spread});
 }
 
 /// The time offset of a sensor whose stamps are 80 ms late.
@@ -107,6 +126,20 @@ std::vector<SettingProbe> calibrationProbes() {
             {"calibrate.step_mm=20"},
             {"calibrate.feeder_mm_s=5"},
             {"calibrate.feeder_gap_mm=15"}}},
+          {"squares of stated multipliers",
+           "",
+           squaresOfATrial,
+           {{"flow_trial.x_mm=120"},
+            {"flow_trial.y_mm=120"},
+            {"flow_trial.squares=5"},
+            {"flow_trial.span=0.1"},
+            {"flow_trial.side_mm=20"},
+            {"flow_trial.gap_mm=5"},
+            {"flow_trial.height_mm=4"},
+            {"flow_trial.width_mm=0.5"},
+            {"flow_trial.layer_mm=0.25"},
+            {"flow_trial.feed_mm_s=20"}}},
+          {"the flow by walls", "", spreadOfAFlow, {{"flow_trial.reading_mm=0.05"}}},
           {"the time offset of a late sensor", "", timeOfALateSensor, {{"calibrate.search_s=0.05"}}},
           {"the place of a sensor over a bed",
            "",

@@ -6,6 +6,7 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "lamina/calibration/calibration_settings.hpp"
+#include "lamina/calibration/flow_trial.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/control/profile_reading.hpp"
 #include "lamina/deposition/growth_plant.hpp"
@@ -46,7 +47,7 @@ std::vector<std::string> coreKeys() {
                    ScaffoldSettings, StartupSettings, StreamSettings, EmulatedSettings, ApproachSettings,
                    TrajectoryFeederSettings, ServoSettings, FollowingSettings, MonitorSettings,
                    ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings,
-                   ResumeSettings, CalibrationSettings>();
+                   ResumeSettings, CalibrationSettings, FlowTrialSettings>();
 }
 
 const std::vector<TestedElsewhere>& testedElsewhere() {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 
 #include "support/shapes.hpp"
@@ -89,6 +90,51 @@ TEST(Seam, LeavesTheLoopTheSameLoop) {
       RC_ASSERT(test::distanceToOutline({loop}, placed.front()) < 1e-9);
     }
   }));
+}
+
+Polygon placedHere(SeamPlacement placement, const Polygon& loop, const Polygon& area) {
+  const Regions here = {{area, {}}};
+  Seam rule({placement, 1}, Point2(11, -1), 0, &here);
+  const Polygon placed = rule.placed(loop);
+  return rule.approached(placed, {9, 1});
+}
+
+constexpr std::array<SeamPlacement, 5> kEachPlacement = {SeamPlacement::Nearest, SeamPlacement::Aligned,
+                                                         SeamPlacement::Rear, SeamPlacement::Random,
+                                                         SeamPlacement::Corner};
+
+TEST(SeamHere, IsTheVertexWithin) {
+  for (const SeamPlacement placement : kEachPlacement) {
+    const Polygon placed = placedHere(placement, kSeamSquare, test::rectangle(-1, 9, 1, 11));
+    EXPECT_EQ(placed.front(), Point2(0, 10));
+    EXPECT_EQ(placed.size(), 4U);
+  }
+}
+
+TEST(SeamHere, ChoosesAmongVerticesWithinByItsRule) {
+  const Polygon left = test::rectangle(-1, -1, 1, 11);
+  EXPECT_EQ(placedHere(SeamPlacement::Aligned, kSeamSquare, left).front(), Point2(0, 0));
+  EXPECT_EQ(placedHere(SeamPlacement::Rear, kSeamSquare, left).front(), Point2(0, 10));
+  EXPECT_EQ(placedHere(SeamPlacement::Corner, kSeamSquare, left).front(), Point2(0, 10));
+  EXPECT_EQ(placedHere(SeamPlacement::Nearest, kSeamSquare, left).front(), Point2(0, 0));
+}
+
+/// The area covers x from 2 to 5 of the lower side, and from 2 to 4 of a hole's.
+TEST(SeamHere, IsTheMiddleOfTheLongestStretchWithoutAVertexThere) {
+  for (const SeamPlacement placement : kEachPlacement) {
+    const Polygon placed = placedHere(placement, kSeamSquare, test::rectangle(2, -1, 5, 1));
+    EXPECT_LT((placed.front() - Point2(3.5, 0)).norm(), 1e-9);
+    EXPECT_EQ(placed.size(), 5U);
+    EXPECT_NEAR(perimeter(placed), 40.0, 1e-9);
+  }
+}
+
+TEST(SeamHere, LeavesLoopsThatDoNotPass) {
+  for (const SeamPlacement placement : kEachPlacement) {
+    Seam usual({placement, 1}, Point2(11, -1), 0);
+    const Polygon placed = placedHere(placement, kSeamSquare, test::rectangle(20, 20, 30, 30));
+    EXPECT_EQ(placed, usual.approached(usual.placed(kSeamSquare), {9, 1}));
+  }
 }
 
 }  // namespace

@@ -18,10 +18,11 @@ namespace lamina {
 
 /// Effect of a modifier in its region.
 enum class ModifierKind : std::uint8_t {
-  Settings,        ///< other settings hold in the region
-  Negative,        ///< the part has no material in the region
-  SupportBlocker,  ///< overhangs in the region are not supported
-  SupportEnforcer  ///< all overhangs in the region are supported
+  Settings,         ///< other settings hold in the region
+  Negative,         ///< the part has no material in the region
+  SupportBlocker,   ///< overhangs in the region are not supported
+  SupportEnforcer,  ///< all overhangs in the region are supported
+  SeamHere          ///< walls that pass through the region start in it
 };
 
 /// A region of a part in which something differs: a mesh, a box or a range of heights.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct SourcePart {
   Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();
   /// Volumes of its file with settings of their own, in the file's coordinates.
   std::vector<MeshVolume> volumes = {};
+  /// Of a part of a plate, the bed from where it will stand [mm, frame of the part]: brims end there, too.
+  std::optional<Box2> bed_around = std::nullopt;
   Mesh base;  ///< surface on which the part is deposited [frame of the part]; empty for the bed
 };
 

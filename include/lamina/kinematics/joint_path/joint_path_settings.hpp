@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lamina/base/settings_schema.hpp"
+#include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/joint_path/motion_division.hpp"
 
 namespace lamina {
@@ -73,6 +75,10 @@ struct JointPathSettings {
   /// Half angle about straight down within which `ExternalChoice::Gravity` keeps tool axes.
   double external_cone_deg = 10.0;
   RailChoice rail = RailChoice::Held;
+
+  /// Offsets of the nozzles of tools, by number, from that of the model [mm, bed frame]; no setting of this
+  /// section. Tools beyond the list have none.
+  std::vector<Point3> tool_offsets_mm;
 };
 
 /// Adds the keys joints.*.

@@ -50,6 +50,11 @@ Box2 bedBelowPart(const PlanningRequest& request) {
   return bed;
 }
 
+Box2 commonBed(const Box2& bed, const std::optional<Box2>& other) {
+  if (!other) return bed;
+  return {bed.low.cwiseMax(other->low), bed.high.cwiseMin(other->high)};
+}
+
 /// Lines of a sparse infill lie over each other, and patterns fit, only if they are as far apart in every
 /// layer: so far that the part gets the volume its density asks for.
 PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& layers) {
@@ -67,7 +72,7 @@ PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& 
 }
 
 /// In the frame of the layers.
-Plan planOf(ModifiedLayers modified, const PlanningRequest& request, Progress& progress) {
+Plan planOf(ModifiedLayers modified, const PlanningRequest& request, const Box2& bed, Progress& progress) {
   const JobSettings& job = request.job.settings;
   const std::vector<Layer>& layers = modified.layers;
   const auto completed = [&](PlanSettings settings) {
@@ -84,7 +89,7 @@ Plan planOf(ModifiedLayers modified, const PlanningRequest& request, Progress& p
   const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
     return planPart(request.partName(), std::move(modified.layers), settings,
-                    VariedBed{bedBelowPart(request), modified.variants, &modified.marks}, progress);
+                    VariedBed{bed, modified.variants, &modified.marks, &modified.seams}, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }
@@ -112,10 +117,11 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   planned.lean.greatest_at = partFromLayers(plane) * planned.lean.greatest_at;
+  const Box2 bed = commonBed(bedBelowPart(request), source.bed_around);
   source = {};
   planned.counts = countsOf(modified.layers);
   planned.counts.slice_s = laps.lap();
-  planned.plan = planOf(std::move(modified), request, progress);
+  planned.plan = planOf(std::move(modified), request, bed, progress);
   Toolpath& toolpath = planned.plan.toolpath;
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,

@@ -171,6 +171,7 @@ class LayerModifier {
       marks.never.resize(areas.size());
       marks.always.resize(areas.size());
     }
+    if (kind == ModifierKind::SeamHere) modified_.seams.resize(areas.size());
     const auto apply_in = [&](std::size_t i) {
       switch (kind) {
         case ModifierKind::Settings:
@@ -188,6 +189,9 @@ class LayerModifier {
           if (areas[i].empty()) break;
           marks.never[i] = without(marks.never[i], areas[i]);
           marks.always[i] = unitedWith(marks.always[i], areas[i]);
+          break;
+        case ModifierKind::SeamHere:
+          if (!areas[i].empty()) modified_.seams[i] = unitedWith(modified_.seams[i], areas[i]);
           break;
       }
     };
@@ -212,7 +216,7 @@ ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source
   std::vector<Modifier>& modifiers = of_file.modifiers;
   if (!settings.modifiers.empty())
     for (Modifier& modifier : readModifiersFile(settings.modifiers)) modifiers.push_back(std::move(modifier));
-  if (modifiers.empty()) return {std::move(layers), {}, {}, std::move(of_file.notes)};
+  if (modifiers.empty()) return {std::move(layers), {}, {}, {}, std::move(of_file.notes)};
   const ModifierSections sections(layers, source, settings.input);
   LayerModifier modifier(std::move(layers));
   for (std::size_t m = 0; m < modifiers.size(); ++m)

@@ -23,7 +23,7 @@ namespace lamina {
 namespace {
 
 /// Groups that end with a point, and single keys.
-constexpr std::array<std::string_view, 18> kRegionSettings = {"bead.flow",
+constexpr std::array<std::string_view, 22> kRegionSettings = {"bead.flow",
                                                               "bridges.",
                                                               "contour.",
                                                               "feed.",
@@ -35,8 +35,12 @@ constexpr std::array<std::string_view, 18> kRegionSettings = {"bead.flow",
                                                               "skins.",
                                                               "smoothing.",
                                                               "supports.angle_deg",
+                                                              "supports.density",
+                                                              "supports.interface_density",
+                                                              "supports.raster_angle_deg",
                                                               "supports.under_bridges",
                                                               "supports.use",
+                                                              "supports.walls",
                                                               "tool.infill",
                                                               "tool.skin",
                                                               "tool.walls",
@@ -94,9 +98,9 @@ ModifierKind kindFrom(const StrictYaml& yaml) {
   if (name == "negative") return ModifierKind::Negative;
   if (name == "support_blocker") return ModifierKind::SupportBlocker;
   if (name == "support_enforcer") return ModifierKind::SupportEnforcer;
-  const std::string expected = "expected settings, negative, support_blocker or support_enforcer";
-  if (name == "seam_here") yaml.refuse("'seam_here' is not supported yet; " + expected);
-  yaml.refuse("kind is '" + name + "'; " + expected);
+  if (name == "seam_here") return ModifierKind::SeamHere;
+  yaml.refuse("kind is '" + name +
+              "'; expected settings, negative, support_blocker, support_enforcer or seam_here");
 }
 
 Box3 boxFrom(const StrictYaml& yaml) {
@@ -120,7 +124,7 @@ void requireOneRegion(const StrictYaml& yaml, const Modifier& modifier) {
     yaml.refuse("from_mm is " + numberText(modifier.heights_mm->first) + " and to_mm " +
                 numberText(modifier.heights_mm->second) + "; expected the former below the latter");
   if (modifier.kind == ModifierKind::Settings && modifier.settings.empty())
-    yaml.refuse("expected 'settings', or a kind of negative, support_blocker or support_enforcer");
+    yaml.refuse("expected 'settings', or a kind of negative, support_blocker, support_enforcer or seam_here");
   if (modifier.kind != ModifierKind::Settings && !modifier.settings.empty())
     yaml.refuse("expected no settings: only a modifier of kind 'settings' has them");
 }

@@ -310,6 +310,24 @@ Box2 turnedBox(const Footprint& footprint, const PlatePlace& place) {
   return {place.at_mm - half - (box.low - whole.low), place.at_mm + half + (whole.high - box.high)};
 }
 
+/// On the bed with all that is laid beside parts; where that has no room, with brims that end at its edge.
+std::vector<PlatePlace> placedOn(const Box2& bed, const std::vector<Footprint>& footprints,
+                                 const PlateSettings& settings) {
+  const auto within = [&](const Box2& area) {
+    return settings.arrangement == PlateArrangement::Pack ? packed(footprints, area, settings.spacing_mm)
+                                                          : inRows(footprints, area, settings.spacing_mm);
+  };
+  double cut_mm = footprints.empty() ? 0.0 : footprints.front().cut_mm;
+  for (const Footprint& footprint : footprints) cut_mm = std::min(cut_mm, footprint.cut_mm);
+  if (cut_mm == 0.0) return within(bed);
+  try {
+    return within(bed);
+  } catch (const Unreachable&) {
+    const Point2 beyond = Point2::Constant(cut_mm);
+    return within({bed.low - beyond, bed.high + beyond});
+  }
+}
+
 }  // namespace
 
 std::vector<PlatePlace> arranged(const std::vector<Footprint>& footprints, const Box2& bed,
@@ -320,9 +338,7 @@ std::vector<PlatePlace> arranged(const std::vector<Footprint>& footprints, const
     bare.beside_mm = 0.0;
     return arranged({bare}, bed, settings);
   }
-  std::vector<PlatePlace> places = settings.arrangement == PlateArrangement::Pack
-                                       ? packed(footprints, bed, settings.spacing_mm)
-                                       : inRows(footprints, bed, settings.spacing_mm);
+  std::vector<PlatePlace> places = placedOn(bed, footprints, settings);
   if (std::any_of(footprints.begin(), footprints.end(),
                   [](const Footprint& f) { return f.at_mm.has_value(); }))
     return places;

@@ -34,6 +34,17 @@ Box3 grown(const Box3& box, double margin_mm) {
   return {box.low - margin, box.high + margin};
 }
 
+/// Where the nozzle of the first tool is while these lay a box: beside it, by their offsets.
+Box3 carriageBox(const Box3& tips, const std::vector<Point3>& nozzles_mm) {
+  if (nozzles_mm.empty()) return tips;
+  Box3 all;
+  for (const Point3& offset : nozzles_mm) {
+    all.include(tips.low - offset);
+    all.include(tips.high - offset);
+  }
+  return all;
+}
+
 bool collide(const Box3& a, const Box3& b, double tolerance_mm) {
   return (a.low.array() < b.high.array() - tolerance_mm).all() &&
          (b.low.array() < a.high.array() - tolerance_mm).all();
@@ -78,7 +89,7 @@ void requireHeadClear(const std::vector<StandingPart>& parts, const std::vector<
   constexpr double kTolerance = 1e-6;
   for (std::size_t k = 1; k < order.size(); ++k) {
     const StandingPart& printed = parts[order[k]];
-    const Box3 tips = grown(printed.boxBesides(), margin_mm);
+    const Box3 tips = carriageBox(grown(printed.boxBesides(), margin_mm), printed.nozzles_mm);
     for (const MachineBody& body : head.bodies) {
       const Box3 swept = sweptBox(body, tips, head.axes_from_bed);
       for (std::size_t before = 0; before < k; ++before) {

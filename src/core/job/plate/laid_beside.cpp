@@ -3,7 +3,6 @@
 #include "job/plate/laid_beside.hpp"
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "lamina/geometry/polygon/offset.hpp"
@@ -31,13 +30,15 @@ double reachBeside(const JobSettings& settings) {
   return adhesion.brim.gap_mm + pitch_mm * std::round(adhesion.brim.width_mm / pitch_mm);
 }
 
-Regions laidBeside(const Mesh& mesh, const JobSettings& settings, Progress& progress) {
+double cutAtEdge(const JobSettings& settings) { return hasRaft(settings) ? 0.0 : reachBeside(settings); }
+
+Regions laidBeside(const Mesh& mesh, const JobSettings& settings, const Box2& bed, Progress& progress) {
   const AdhesionSettings& adhesion = settings.planning.adhesion;
   if (!hasRaft(settings) && adhesion.brim.width_mm == 0.0) return {};
   const double cut_mm = 0.5 * settings.slicing.first_layer_height_mm;
   const Regions first = unite(sliceMesh(mesh, {cut_mm}, progress).front().contours);
   if (hasRaft(settings)) return first.empty() ? Regions() : raftArea(first, adhesion.raft);
-  return makeBrim(first, adhesion.brim, pitchOfBrim(settings), std::nullopt).area;
+  return makeBrim(first, adhesion.brim, pitchOfBrim(settings), bed).area;
 }
 
 }  // namespace lamina

@@ -12,8 +12,13 @@ namespace lamina {
 double reachBeside(const JobSettings& settings);
 
 /// What a raft or a brim covers of the bed beside a part, as far as the first layer shows it: without what
-/// lies round supports. Beds do not end it.
+/// lies round supports.
 /// @param mesh  standing, as it is deposited
-Regions laidBeside(const Mesh& mesh, const JobSettings& settings, Progress& progress);
+/// @param bed   where the nozzle may be, in the mesh's frame: brims end there, and rafts do not
+Regions laidBeside(const Mesh& mesh, const JobSettings& settings, const Box2& bed, Progress& progress);
+
+/// How much of that reach may lie beyond the bed's edge: brims are cut off there. A skirt goes round all of
+/// it.
+double cutAtEdge(const JobSettings& settings);
 
 }  // namespace lamina

@@ -49,6 +49,7 @@ struct PlateItem {
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();
   PlatePlace place;
+  std::optional<Box2> bed_around = std::nullopt;  ///< from its origin, where this ends its brim
 };
 
 void requirePlateSettings(const JobSettings& settings) {
@@ -229,14 +230,21 @@ std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items)
   return parts;
 }
 
+/// Of the tools at work on a part.
+std::vector<Point3> nozzlesFor(const PlanSettings& planning) {
+  const std::vector<Point3> offsets_mm = toolOffsets(planning.tools);
+  std::vector<Point3> nozzles_mm;
+  for (const std::uint32_t tool : toolsAtWork(planning))
+    if (tool < offsets_mm.size()) nozzles_mm.push_back(offsets_mm[tool]);
+  return nozzles_mm;
+}
+
 /// Of the bed, what the tips of all tools at work reach.
 Box2 commonReach(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
-  const std::vector<Point3> offsets_mm = toolOffsets(settings.planning.tools);
   Box2 common{space.low.head<2>(), space.high.head<2>()};
   const auto include = [&](const PlanSettings& planning) {
-    for (const std::uint32_t tool : toolsAtWork(planning)) {
-      if (tool >= offsets_mm.size()) continue;
-      const Point2 offset = offsets_mm[tool].head<2>();
+    for (const Point3& nozzle : nozzlesFor(planning)) {
+      const Point2 offset = nozzle.head<2>();
       common.low = common.low.cwiseMax(space.low.head<2>() + offset);
       common.high = common.high.cwiseMin(space.high.head<2>() + offset);
     }
@@ -264,7 +272,8 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
     stand(item);
     std::optional<Point2> at = item.part.at_mm;
     if (!at && settings.plate.arrangement == PlateArrangement::None) at = placeInFile(item);
-    footprints.push_back({item.name, footprintOf(item), at, reachBeside(item.settings)});
+    const double cut_mm = settings.planning.skirt.count > 0 ? 0.0 : cutAtEdge(item.settings);
+    footprints.push_back({item.name, footprintOf(item), at, reachBeside(item.settings), cut_mm});
   }
   const std::vector<PlatePlace> places =
       arranged(footprints, roomFor(items, space, settings), settings.plate);
@@ -277,15 +286,29 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
   }
 }
 
-std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items, Progress& progress) {
+/// @param bed  where the nozzle may be: brims end there
+std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items, const Box2& bed,
+                                        Progress& progress) {
   std::vector<StandingPart> parts;
   parts.reserve(items.size());
   for (const PlateItem& item : items) {
-    parts.push_back({item.name, &item.mesh, boundingBox(item.mesh), item.place.at_mm});
+    const Point2& at = item.place.at_mm;
+    parts.push_back({item.name, &item.mesh, boundingBox(item.mesh), at, nozzlesFor(item.settings.planning)});
     if (isUsed(item.settings.planning.adhesion))
-      parts.back().beside = laidBeside(depositedMesh(item), item.settings, progress);
+      parts.back().beside =
+          laidBeside(depositedMesh(item), item.settings, {bed.low - at, bed.high - at}, progress);
   }
   return parts;
+}
+
+/// Whether the bed ends a brim where the part stands.
+bool isCutAtEdge(const PlateItem& item, const Box2& bed) {
+  if (item.settings.planning.adhesion.brim.width_mm == 0.0) return false;
+  const Box3 box = boundingBox(item.mesh);
+  const Point2 reach = Point2::Constant(reachBeside(item.settings) + item.settings.planning.bead.width_mm);
+  const Point2 low = item.place.at_mm + box.low.head<2>() - reach;
+  const Point2 high = item.place.at_mm + box.high.head<2>() + reach;
+  return (low.array() < bed.low.array()).any() || (high.array() > bed.high.array()).any();
 }
 
 /// What is the same for parts that are planned once.
@@ -295,6 +318,10 @@ std::string planKey(const PlateItem& item) {
                 item.part.scale, item.turn.x(), item.turn.y(), item.turn.z(), item.turn.w());
   std::string key = numbers;
   for (const SettingText& setting : item.part.settings) key += "|" + setting.key + "=" + setting.text;
+  if (item.bed_around) {
+    std::snprintf(numbers, sizeof numbers, "|%a|%a", item.place.at_mm.x(), item.place.at_mm.y());
+    key += numbers;
+  }
   return key;
 }
 
@@ -304,6 +331,7 @@ SlicedPart planned(const PlateItem& item, const SliceJob& of_plate, const BuildS
   SourcePart source = *item.source;
   source.mesh = item.mesh;
   source.part_from_file = item.part_from_file;
+  source.bed_around = item.bed_around;
   try {
     return sliceSource(std::move(source), job, space, progress);
   } catch (...) {
@@ -378,7 +406,11 @@ class PlateSlicer {
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
-    const std::vector<StandingPart> standing = standingParts(items_, progress);
+    const Box2 bed = commonReach(items_, boundingBox(space_), job_.settings);
+    for (PlateItem& item : items_)
+      if (isCutAtEdge(item, bed))
+        item.bed_around = Box2{bed.low - item.place.at_mm, bed.high - item.place.at_mm};
+    const std::vector<StandingPart> standing = standingParts(items_, bed, progress);
     requireOnBed(standing, boundingBox(space_), space_.name);
     requireNoOverlap(standing, job_.settings.slicing.layer_height_mm, progress);
     requireNoneBesideOverlaps(standing, job_.settings.slicing.first_layer_height_mm, progress);

@@ -161,7 +161,7 @@ JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_f
   const JointPathSettings& settings = planning.settings;
   validate(settings);
   requireYawOf(guarded.model, settings);
-  StationList list = stationsOf(toolpath, bed_from_part);
+  StationList list = stationsOf(toolpath, bed_from_part, settings.tool_offsets_mm);
   if (list.stations.empty()) return {};
   setExternalAxes(list.stations, guarded.model, settings);
   resolveRedundancy(list.stations, guarded, settings, progress);

@@ -99,7 +99,7 @@ class StatedJudge {
   }
 
   void addSlow() {
-    const StationList list = stationsOf(toolpath_, Eigen::Isometry3d::Identity());
+    const StationList list = stationsOf(toolpath_, Eigen::Isometry3d::Identity(), {});
     std::vector<StationJoints> joints(list.stations.size());
     for (std::size_t i = 0; i < joints.size(); ++i) {
       joints[i].values = stated_.values[list.waypoint_of[i]];

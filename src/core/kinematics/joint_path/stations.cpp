@@ -39,8 +39,8 @@ ClearMotion clearMotion(const Path& path) {
 
 class StationBuilder {
  public:
-  explicit StationBuilder(const Eigen::Isometry3d& bed_from_part)
-      : bed_from_part_(bed_from_part), turn_(bed_from_part.linear()) {}
+  StationBuilder(const Eigen::Isometry3d& bed_from_part, const std::vector<Point3>& tool_offsets_mm)
+      : bed_from_part_(bed_from_part), turn_(bed_from_part.linear()), offsets_(tool_offsets_mm) {}
 
   void add(const Path& path, WaypointIndex at) {
     const ClearMotion clear = path.role == PathRole::Travel ? clearMotion(path) : ClearMotion();
@@ -64,6 +64,7 @@ class StationBuilder {
   void add(const Path& path, const WaypointIndex& at, StationMotion motion) {
     Station station;
     station.position = bed_from_part_ * path.points[at.waypoint];
+    if (path.tool < offsets_.size()) station.position -= offsets_[path.tool];
     station.orientation = turn_ * path.orientation.at(at.waypoint);
     motion.duration_s = std::max(motion.duration_s, kLeastDuration);
     station.motion = motion;
@@ -83,6 +84,7 @@ class StationBuilder {
 
   Eigen::Isometry3d bed_from_part_;
   Eigen::Quaterniond turn_;
+  const std::vector<Point3>& offsets_;
   StationList list_;
 };
 
@@ -95,8 +97,9 @@ Eigen::Isometry3d Station::pose() const {
   return bed_from_nozzle;
 }
 
-StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
-  StationBuilder builder(bed_from_part);
+StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                       const std::vector<Point3>& tool_offsets_mm) {
+  StationBuilder builder(bed_from_part, tool_offsets_mm);
   for (std::size_t layer = 0; layer < toolpath.layers.size(); ++layer)
     for (std::size_t path = 0; path < toolpath.layers[layer].paths.size(); ++path)
       builder.add(toolpath.layers[layer].paths[path], {layer, path, 0});

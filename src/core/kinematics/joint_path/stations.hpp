@@ -58,7 +58,10 @@ struct StationList {
   std::vector<std::uint32_t> waypoint_of;  ///< index of the first waypoint of each station
 };
 
-StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
+/// @param tool_offsets_mm  of nozzles from that of the model, by tool [bed frame]: the model's stands so much
+///   beside the tip in use
+StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                       const std::vector<Point3>& tool_offsets_mm);
 
 /// Time at which each station is passed at the feed, from the first one on [s].
 std::vector<double> passedAt(const std::vector<Station>& stations);

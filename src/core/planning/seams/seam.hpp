@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "lamina/base/random.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -19,9 +21,14 @@ namespace lamina {
 /// farthest back. Corners turn by at least 30 deg within 0.5 mm on either side; inward is to the right along
 /// the loop, as outlines run anticlockwise and holes clockwise. Back is +y, inclined to +x, so that equal
 /// corners of a level back edge are told apart in all layers alike.
+///
+/// Where areas for seams are given, loops that pass through them start within: at the vertex there that this
+/// rule chooses, or, without a vertex there, in the middle of the longest stretch within.
 class Seam {
  public:
-  Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer);
+  /// @param here  areas for seams, outlives this; null for none
+  Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer,
+       const Regions* here = nullptr);
 
   /// The loop, rotated to start at its seam. With Nearest it is unchanged, as the position of the nozzle is
   /// not known yet.
@@ -31,9 +38,13 @@ class Seam {
   Polygon approached(Polygon loop, const Point2& nozzle) const;
 
  private:
+  Polygon withVertexHere(Polygon loop) const;
+  std::vector<std::size_t> candidates(const Polygon& loop) const;
+
   SeamPlacement placement_;
   Point2 anchor_;
   Random random_;
+  std::vector<Polygon> here_;  ///< borders of the areas for seams; empty for none
 };
 
 }  // namespace lamina

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "infill/rectilinear/zigzag.hpp"
@@ -155,27 +156,79 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   return std::make_shared<const std::vector<FillPath>>(std::move(runs));
 }
 
+/// Whether the lines of both are laid in the same way.
+bool layAlike(const SupportSettings& a, const SupportSettings& b) {
+  const auto lines = [](const SupportSettings& supports) {
+    return std::tie(supports.density, supports.interface_density, supports.raster_angle_deg, supports.walls);
+  };
+  return lines(a) == lines(b);
+}
+
+/// Regions with lines of their own, those that have any.
+std::vector<const PlanVariant*> variantsOfLines(const PlanSettings& settings, const LatticePlace& place) {
+  std::vector<const PlanVariant*> own;
+  if (place.variants == nullptr) return own;
+  for (const PlanVariant& variant : *place.variants)
+    if (!layAlike(variant.settings.supports, settings.supports)) own.push_back(&variant);
+  return own;
+}
+
 class LatticePlanner {
  public:
-  LatticePlanner(const PlanSettings& settings, double layer_height_mm, const Point2& away)
-      : settings_(settings), height_mm_(layer_height_mm), away_(away) {}
+  LatticePlanner(const PlanSettings& settings, const LatticePlace& place)
+      : settings_(settings),
+        height_mm_(place.layer_height_mm),
+        away_(place.away),
+        variants_(variantsOfLines(settings, place)) {}
+
+  /// Whether any region with lines of its own reaches into a layer.
+  bool isVaried(std::size_t layer) const {
+    return std::any_of(variants_.begin(), variants_.end(), [layer](const PlanVariant* variant) {
+      return layer < variant->areas.size() && !variant->areas[layer].empty();
+    });
+  }
 
   /// @param below  sections of the layer below
-  LayerAids plan(const LayerSupport& sections, const LayerSupport& below) const {
+  LayerAids plan(const LayerSupport& sections, const LayerSupport& below, std::size_t layer) const {
     Regions interfaces;
     for (const SupportSection& section : below)
       interfaces.insert(interfaces.end(), section.interface->begin(), section.interface->end());
     LayerAids aids;
     for (const SupportSection& section : sections) {
-      add(section, section.lattice, linesOf(PathRole::Support), aids);
-      LatticeLines across = linesOf(PathRole::SupportInterface);
-      if (!interfaces.empty()) across.below = &interfaces;
-      add(section, section.interface, across, aids);
+      addIn(section, section.lattice, PathRole::Support, {layer, nullptr}, aids);
+      addIn(section, section.interface, PathRole::SupportInterface,
+            {layer, interfaces.empty() ? nullptr : &interfaces}, aids);
     }
     return aids;
   }
 
  private:
+  struct SectionPlace {
+    std::size_t layer = 0;
+    const Regions* below = nullptr;  ///< interfaces of the layer below; null for none
+  };
+
+  /// Region by region, each with its own lines.
+  void addIn(const SupportSection& section, const SharedRegions& area, PathRole role,
+             const SectionPlace& place, LayerAids& aids) const {
+    const auto lay = [&](const SharedRegions& piece, const SupportSettings& supports) {
+      LatticeLines lines = linesOf(role, supports);
+      if (role == PathRole::SupportInterface) lines.below = place.below;
+      add(section, piece, lines, aids);
+    };
+    if (!isVaried(place.layer)) return lay(area, settings_.supports);
+    Regions rest = *area;
+    for (const PlanVariant* const variant : variants_) {
+      if (place.layer >= variant->areas.size()) continue;
+      const Regions& own = variant->areas[place.layer];
+      const Regions common = intersection(rest, own);
+      if (common.empty()) continue;
+      rest = difference(rest, own);
+      lay(std::make_shared<const Regions>(common), variant->settings.supports);
+    }
+    lay(std::make_shared<const Regions>(std::move(rest)), settings_.supports);
+  }
+
   void add(const SupportSection& section, const SharedRegions& area, LatticeLines lines,
            LayerAids& aids) const {
     if (area->empty()) return;
@@ -192,8 +245,7 @@ class LatticePlanner {
   }
 
   /// For beads whose width is to come.
-  LatticeLines linesOf(PathRole role) const {
-    const SupportSettings& supports = settings_.supports;
+  LatticeLines linesOf(PathRole role, const SupportSettings& supports) const {
     const bool is_lattice = role == PathRole::Support;
     LatticeLines lines;
     lines.role = role;
@@ -208,6 +260,7 @@ class LatticePlanner {
   const PlanSettings& settings_;
   double height_mm_;  ///< of the layers that lines are spaced for
   Point2 away_;
+  std::vector<const PlanVariant*> variants_;
 };
 
 /// Whether the areas of a layer are those of the one below it.
@@ -221,15 +274,15 @@ bool areAlike(const LayerSupport& a, const LayerSupport& b) {
 
 std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, const PlanSettings& settings,
                                       const LatticePlace& place, Progress& progress) {
-  const LatticePlanner planner(settings, place.layer_height_mm, place.away);
+  const LatticePlanner planner(settings, place);
   std::vector<LayerAids> aids(areas.size());
   // The lowest of interfaces on each other is deposited in another way.
   const auto isShared = [&](std::size_t i) {
-    return i > 0 && areAlike(areas[i], areas[i - 1]) &&
+    return i > 0 && !planner.isVaried(i) && !planner.isVaried(i - 1) && areAlike(areas[i], areas[i - 1]) &&
            (areas[i][0].interface->empty() || (i > 1 && areAlike(areas[i - 1], areas[i - 2])));
   };
   const auto plan_layer = [&](std::size_t i) {
-    if (!isShared(i)) aids[i] = planner.plan(areas[i], i > 0 ? areas[i - 1] : LayerSupport{});
+    if (!isShared(i)) aids[i] = planner.plan(areas[i], i > 0 ? areas[i - 1] : LayerSupport{}, i);
   };
   parallelFor(areas.size(), plan_layer, progress, "supports");
   for (std::size_t i = 0; i < areas.size(); ++i) {

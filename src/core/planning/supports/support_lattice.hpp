@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/planning/modifiers/plan_variant.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "planning/build_aids.hpp"
 #include "planning/supports/support_areas.hpp"
@@ -15,6 +16,8 @@ namespace lamina {
 struct LatticePlace {
   double layer_height_mm = 0.0;  ///< height for which the densities give the spacing of lines in all layers
   Point2 away = Point2::Zero();  ///< by which layers were moved towards the origin [mm]
+  /// Regions whose supports have densities, angle and loops of their own; null for none.
+  const std::vector<PlanVariant>* variants = nullptr;
 };
 
 /// The lines of supports. Those of the lattice have one direction over the whole height, so that they stand
