@@ -82,6 +82,7 @@ class RobotFollower {
   void add(const AssembledStation& station) {
     const RunMove& move = running_.moves[station.move.index];
     followWays(station.move.index);
+    comeToPart(motion_, move.feed_mm_s);
     Eigen::Isometry3d pose(station.move.orientation);
     pose.translation() = station.move.point;
     const auto joints = jointsAt(pose, move.external, move.line);
@@ -111,6 +112,7 @@ class RobotFollower {
       const auto joints = jointsAt(way.pose, way.external, way.line);
       stated.to = joints.value_or(JointValues());
       if (!joints) stated.fault = kNoSolution;
+      stated.feed_mm_s = way.feed_mm_s;
     }
     is_far_ = true;
     addWay(motion_, std::move(stated));

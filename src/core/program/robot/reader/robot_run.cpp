@@ -229,7 +229,7 @@ class RobotRun {
     StatedEquipment& equipment = running_.equipment;
     if (running_.moves.empty()) equipment.external = move.external;
     equipment.moves_external |= equipment.external != move.external;
-    running_.moves.push_back({move.external, line_, running_.files.size() - 1});
+    running_.moves.push_back({move.external, line_, running_.files.size() - 1, move.feed_mm_s});
   }
 
   Eigen::Isometry3d overBed(const TipMove& move) const {
@@ -244,6 +244,7 @@ class RobotRun {
     way.before = running_.moves.size();
     way.pose = overBed(move);
     way.external = move.external;
+    way.feed_mm_s = move.feed_mm_s;
     way.line = line_;
     running_.ways.push_back(std::move(way));
   }

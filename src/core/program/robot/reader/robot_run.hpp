@@ -51,7 +51,8 @@ struct RobotHeadNotes {
 struct RunMove {
   std::vector<double> external;  ///< [mm, deg]
   std::size_t line = 0;
-  std::size_t file = 0;  ///< index in the files of the program
+  std::size_t file = 0;    ///< index in the files of the program
+  double feed_mm_s = 0.0;  ///< as stated
 };
 
 /// A move of an approach or a retract.
@@ -60,6 +61,7 @@ struct RunWay {
   std::optional<ControllerJoints> joints;                  ///< of a joint move
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to which a straight move leads [mm, bed]
   std::vector<double> external;                            ///< of a straight move [mm, deg]
+  double feed_mm_s = 0.0;                                  ///< of a straight move
   std::size_t line = 0;
 };
 
