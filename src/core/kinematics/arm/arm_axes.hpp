@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "kinematics/arm/arm_inverse.hpp"
 #include "kinematics/arm/turn.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "kinematics/arm/six_axis_arm.hpp"
 #include "lamina/base/angle.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/robot/writer/controller_settings.hpp"
 
+#include <optional>
 #include <string>
 
 #include "lamina/base/error.hpp"
