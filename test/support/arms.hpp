@@ -148,12 +148,9 @@ inline SevenAxisDescription offsetSeven() {
 /// (external_1, 1500 mm/s) that begins at zero. Its nozzle is 300 mm from the wrist, along axis 6. The bed
 /// is 700 mm beside the rail, with axes as the room's.
 /// @param rail_end_m  upper limit of the rail
-inline std::string railArm(const std::string& rail_end_m = "6") {
-  std::string text =
-      "<robot name=\"rail_arm\"><link name=\"room\"/>" + fixedJoint("bed", "room", "xyz=\"0 0.7 0\"") +
-      "<link name=\"base_link\"/><joint name=\"external_1\" type=\"prismatic\"><parent link=\"room\"/>"
-      "<child link=\"base_link\"/><axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"" +
-      rail_end_m + "\" velocity=\"1.5\" effort=\"1\"/></joint>";
+inline std::string carriedArm(const std::string& carriages, const std::string& tool = "") {
+  std::string text = "<robot name=\"rail_arm\"><link name=\"room\"/>" +
+                     fixedJoint("bed", "room", "xyz=\"0 0.7 0\"") + "<link name=\"base_link\"/>" + carriages;
   const std::string origins[6] = {"0 0 0.5", "0.15 0 0", "0 0 0.95", "0 0 0.5", "0 0 0.45", "0 0 0.1"};
   const std::string axes[6] = {"0 0 1", "0 1 0", "0 1 0", "0 0 1", "0 1 0", "0 0 1"};
   std::string parent = "base_link";
@@ -162,7 +159,28 @@ inline std::string railArm(const std::string& rail_end_m = "6") {
     text += rotaryJoint(name, parent, "xyz=\"" + origins[j] + "\"", axes[j]);
     parent = name + "_link";
   }
-  return text + fixedJoint("nozzle", parent, "xyz=\"0 0 0.2\"") + "</robot>";
+  return text + tool + fixedJoint("nozzle", parent, "xyz=\"0 0 0.2\"") + "</robot>";
+}
+
+inline std::string linearJoint(const std::string& name, const std::string& parent_and_child,
+                               const std::string& axis, const std::string& range) {
+  return "<joint name=\"" + name + "\" type=\"prismatic\">" + parent_and_child + "<axis xyz=\"" + axis +
+         "\"/><limit " + range + " velocity=\"1.5\" effort=\"1\"/></joint>";
+}
+
+inline std::string railArm(const std::string& rail_end_m = "6") {
+  return carriedArm(linearJoint("external_1", "<parent link=\"room\"/><child link=\"base_link\"/>", "1 0 0",
+                                "lower=\"0\" upper=\"" + rail_end_m + "\""));
+}
+
+/// The same arm on the trolley of a bridge, which runs along x, as the trolley does along y. It has a flange.
+inline std::string gantryArm(const std::string& trolley = "0 1 0") {
+  return carriedArm("<link name=\"bridge\"/>" +
+                        linearJoint("external_1", "<parent link=\"room\"/><child link=\"bridge\"/>", "1 0 0",
+                                    "lower=\"0\" upper=\"6\"") +
+                        linearJoint("external_2", "<parent link=\"bridge\"/><child link=\"base_link\"/>",
+                                    trolley, "lower=\"-1\" upper=\"4\""),
+                    fixedJoint("tool0", "joint_6_link", "xyz=\"0 0 0\""));
 }
 
 /// Values in the ranges of the joints, and at most a turn.

@@ -28,7 +28,7 @@ struct KinematicModelRun {
   JointPath path;                                                   ///< of the divided toolpath
   /// Line of the program that states the joints, for each waypoint of `path`; empty if none does.
   std::vector<std::size_t> lines;
-  std::vector<RunPassage> passages = {};  ///< ways beside the part, which no time is counted for
+  std::vector<RunPassage> passages = {};  ///< ways beside the part
   std::string unknown_way = {};           ///< what of the way to the part is not known; empty for nothing
 
   const Toolpath& toolpath() const { return divided.toolpath; }
@@ -86,7 +86,7 @@ void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 
 /// Figures of a run within the limits of the joints.
 struct RunTime {
-  double total_s = 0.0;
+  double total_s = 0.0;  ///< with the ways beside the part that a program states (`passageTime`)
   /// Share of the length of beads that is deposited at less than 95 % of the feed asked for
   /// (`slowBeadShare`).
   double slow_bead_share = 0.0;

@@ -23,8 +23,9 @@ enum class StatedMove : std::uint8_t {
 struct StatedWay {
   JointValues to;  ///< joints at its end; empty where there are none
   StatedMove by = StatedMove::Nozzle;
-  std::size_t line = 0;  ///< 1 based
-  std::string fault;     ///< why there are no joints; empty where there are
+  std::size_t line = 0;    ///< 1 based
+  std::string fault;       ///< why there are no joints; empty where there are
+  double feed_mm_s = 0.0;  ///< of a straight move
 };
 
 /// Moves that lead to the part, away from it, or from one of its waypoints to the next by way of elsewhere,
@@ -34,6 +35,7 @@ struct StatedPassage {
   /// after the last.
   std::size_t before = 0;
   std::vector<StatedWay> ways;
+  double feed_mm_s = 0.0;  ///< of the move from the last of them to that waypoint
 };
 
 /// A file of a program, and from which waypoint on its lines state the motion.
@@ -61,6 +63,12 @@ inline void addWay(StatedMotion& motion, StatedWay way) {
   if (motion.passages.empty() || motion.passages.back().before != before)
     motion.passages.push_back({before, {}});
   motion.passages.back().ways.push_back(std::move(way));
+}
+
+/// The move to the waypoint that is added next has that feed; of note where it comes from beside the part.
+inline void comeToPart(StatedMotion& motion, double feed_mm_s) {
+  if (!motion.passages.empty() && motion.passages.back().before == motion.lines.size())
+    motion.passages.back().feed_mm_s = feed_mm_s;
 }
 
 /// The waypoints added from here on are stated by the lines of that file.

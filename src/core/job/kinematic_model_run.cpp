@@ -156,7 +156,8 @@ TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const Timing
   TimedRun timed;
   timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, model, settings);
   timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
-  timed.figures = {timed.time.total_s, slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
+  timed.figures = {timed.time.total_s + passageTime(run.passages, model, settings),
+                   slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
   timed.run = std::move(run);
   return timed;
 }

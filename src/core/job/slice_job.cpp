@@ -114,9 +114,34 @@ std::vector<std::string> rapidNotes(const std::string& output, const std::vector
   return notes;
 }
 
-/// @return notes for the summary
-std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
-                               const std::optional<JointProgram>& joint_program) {
+/// What the summary says of what was written.
+struct Writing {
+  std::vector<std::string> notes;
+  double passages_s = 0.0;  ///< time of a robot's ways beside the part
+};
+
+/// A robot's program, and its notes.
+Writing writeRobot(const SliceJob& job, const PlacedToolpath& placed, const ProgramSettings& program,
+                   const SliceSummary& summary) {
+  Writing writing;
+  try {
+    writing.passages_s = clearPassageTime(job.output, placed, program, job.settings);
+  } catch (const Unreachable& refusal) {
+    rethrowForChoice(refusal, summary);
+  }
+  if (programRunner(job.output) == ProgramRunner::OtherRobot) {
+    const RobotWriting robot = writeRobotFiles(job.output, placed, program.robot);
+    writing.notes = olderFileNotes(job.output, robot.files);
+    for (std::string& note : notesOf(robot)) writing.notes.push_back(std::move(note));
+  } else {
+    const std::vector<std::string> files = writeRapidFiles(job.output, placed, program.rapid);
+    writing.notes = rapidNotes(job.output, files, placed, program.rapid);
+  }
+  return writing;
+}
+
+Writing write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
+              const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return {};
   ProgramSettings program =
       startedFor(job.settings.planning.first_layer, codeFor(job.settings.program, joint_program));
@@ -138,15 +163,7 @@ std::vector<std::string> write(const SliceJob& job, const BuildSpace& space, con
   }
   const PlacedToolpath placed{joint_program->toolpath, frame,
                               ProgramJoints{*joint_program->model, joint_program->joints}};
-  if (isRobotFile(job.output)) requireClearPassages(job.output, placed, program, job.settings);
-  if (programRunner(job.output) == ProgramRunner::OtherRobot) {
-    const RobotWriting writing = writeRobotFiles(job.output, placed, program.robot);
-    std::vector<std::string> notes = olderFileNotes(job.output, writing.files);
-    for (std::string& note : notesOf(writing)) notes.push_back(std::move(note));
-    return notes;
-  }
-  if (programRunner(job.output) == ProgramRunner::RapidRobot)
-    return rapidNotes(job.output, writeRapidFiles(job.output, placed, program.rapid), placed, program.rapid);
+  if (isRobotFile(job.output)) return writeRobot(job, placed, program, sliced.summary);
   writeOutput(job.output, placed, program, annotations);
   return {};
 }
@@ -263,15 +280,16 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The figures are walks along the whole toolpath by one thread; they refuse nothing that was planned.
-  std::vector<std::string> notes;
+  Writing writing;
   inParallel(
       [&] {
         addLengths(sliced);
         addTime(sliced, job.settings.motion, joint_program);
       },
-      [&] { notes = write(job, space, sliced, joint_program); });
+      [&] { writing = write(job, space, sliced, joint_program); });
+  if (joint_program && joint_program->time) sliced.summary.estimated_time_s += writing.passages_s;
   if (sliced.summary.slow_bead_share < 0.0) addNoteOnTipTime(sliced, job, space);
-  sliced.summary.notes.insert(sliced.summary.notes.end(), notes.begin(), notes.end());
+  sliced.summary.notes.insert(sliced.summary.notes.end(), writing.notes.begin(), writing.notes.end());
   if (std::string note = noteOnOtherLanguages(job); !note.empty())
     sliced.summary.notes.push_back(std::move(note));
   sliced.summary.write_s = laps.lap();

@@ -16,12 +16,19 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/program_file.hpp"
+#include "lamina/job/run_settings.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
 namespace lamina {
 namespace {
+
+/// Over the table, out of the head's way while it prints.
+constexpr char kShelf[] =
+    "<link name=\"shelf\"><collision><origin xyz=\"1.45 0 1.3\"/><geometry><box size=\"0.1 "
+    "0.4 0.02\"/></geometry></collision></link><joint name=\"shelf_on_base\" type=\"fixed\"><parent "
+    "link=\"base_link\"/><child link=\"shelf\"/></joint>";
 
 /// A small box and its program for the arm.
 class RunPassages : public testing::Test {
@@ -161,11 +168,7 @@ TEST_F(RunPassages, StraightWaysAreLedStraightAndJointMovesAreNot) {
 /// A shelf over the table that the head stays below while it prints, and not 300 mm higher.
 TEST_F(RunPassages, AreCheckedBeforeAnythingIsWritten) {
   std::string urdf = readFile("urdf/irb_4600.urdf");
-  urdf.insert(
-      urdf.find("</robot>"),
-      "<link name=\"shelf\"><collision><origin xyz=\"1.45 0 1.3\"/><geometry><box size=\"0.1 "
-      "0.4 0.02\"/></geometry></collision></link><joint name=\"shelf_on_base\" type=\"fixed\"><parent "
-      "link=\"base_link\"/><child link=\"shelf\"/></joint>");
+  urdf.insert(urdf.find("</robot>"), kShelf);
   writeFile(folder_.file("shelf.urdf"), urdf);
   job_.settings.machine.urdf = folder_.file("shelf.urdf");
   for (const char* file : {"low.src", "low.mod"}) slice(file);
@@ -181,6 +184,74 @@ TEST_F(RunPassages, AreCheckedBeforeAnythingIsWritten) {
       EXPECT_NE(what.find("approach_mm"), std::string::npos) << what;
     }
     EXPECT_FALSE(std::ifstream(folder_.file(file)).good()) << file;
+  }
+}
+
+/// Back along the tool axis by 40 mm, at 20 mm/s with 1000 mm/s2: 2 s and a ramp of 0.02 s. Joint 1 by 0.5
+/// rad with a ramp of 0.2 s, from rest to rest.
+TEST_F(RunPassages, TakeTimeFromRestToRest) {
+  const auto model = kinematicModelOf(job_.settings.machine);
+  JointValues start(6);
+  start << 0.1, 0.2, 0.3, 0.2, 0.7, 0.1;
+  JointValues turned = start;
+  turned[0] += 0.5;
+  Eigen::Isometry3d away = model->bedFromNozzle(turned);
+  away.translate(Point3(0, 0, -40));
+  StatedMotion motion;
+  motion.between = StatedMove::Nozzle;
+  motion.joints.values = {start};
+  motion.lines = {9};
+  motion.passages = {{1, {{turned, StatedMove::Joints, 11, ""}}}};
+  TimingSettings settings;
+  settings.motion.travel_acceleration_mm_s2 = 1000.0;
+  settings.trajectory.joint_ramp_s = 0.1;
+  const double joints_s = 0.5 / model->joints()[0].max_speed + 0.1;
+  EXPECT_NEAR(passageTime(ledPassages(*model, motion, {}), *model, settings), joints_s, 1e-9);
+  StatedWay back;
+  for (const InverseSolution& each : model->solutions(away, turned))
+    if (back.to.size() == 0 || (each.values - turned).norm() < (back.to - turned).norm())
+      back.to = each.values;
+  back.line = 12;
+  back.feed_mm_s = 20.0;
+  motion.passages[0].ways.push_back(back);
+  EXPECT_NEAR(passageTime(ledPassages(*model, motion, {}), *model, settings), joints_s + 2.02, 1e-3);
+}
+
+/// 200 mm there and 200 mm back at the feed of travels.
+TEST_F(RunPassages, AreCountedInTheTimeThatSlicingAndCheckingState) {
+  job_.settings.planning.travel.feed_mm_s = 20.0;
+  for (const char* file : {"box.src", "box.mod"}) {
+    std::vector<double> times;
+    for (const double way_mm : {0.0, 200.0}) {
+      job_.settings.program.robot.approach_mm = way_mm;
+      job_.settings.program.rapid.approach_mm = way_mm;
+      job_.output = folder_.file(file);
+      times.push_back(runSliceJob(job_, nobody_).summary.estimated_time_s);
+    }
+    EXPECT_NEAR(times[1] - times[0], 20.0, 0.1) << file;
+    const auto model = kinematicModelOf(job_.settings.machine);
+    auto stated = readStatedMotion(job_.output, job_.settings.program, *model);
+    const TimedRun timed = inTime(runAsStated(*model, std::move(*stated), job_.settings.joints), *model,
+                                  runSettings(job_.settings).timing);
+    EXPECT_NEAR(timed.figures.total_s, times[1], 0.02 * times[1]) << file;
+  }
+}
+
+/// What a choice of the mode cannot mend is said with the modes that were tried.
+TEST_F(RunPassages, MakeAutoTryTheNextMode) {
+  std::string urdf = readFile("urdf/irb_4600.urdf");
+  urdf.insert(urdf.find("</robot>"), kShelf);
+  writeFile(folder_.file("shelf.urdf"), urdf);
+  job_.settings.machine.urdf = folder_.file("shelf.urdf");
+  job_.settings.slicing.mode = "auto";
+  job_.settings.program.robot.approach_mm = 300.0;
+  try {
+    slice("high.src");
+    FAIL();
+  } catch (const Unreachable& refusal) {
+    const std::string what = refusal.what();
+    EXPECT_NE(what.find("not planar: "), std::string::npos) << what;
+    EXPECT_NE(what.find("; not ", what.find("not planar: ")), std::string::npos) << what;
   }
 }
 

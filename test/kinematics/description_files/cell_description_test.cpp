@@ -14,6 +14,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
+#include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/description_files/robot_report.hpp"
 #include "lamina/kinematics/description_files/xacro_expansion.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
@@ -99,6 +100,86 @@ TEST_F(CellFolder, LoadOfTheToolIsThatOfTheArmsCell) {
   EXPECT_TRUE(load->centre_mm.isApprox(Point3(0, 10, 90), 1e-9));
   text.replace(text.find(", centre_mm: [0, 10, 90]"), 24, "");
   EXPECT_NE(failureOf(text).find("has one of mass_kg and centre_mm"), std::string::npos) << failureOf(text);
+}
+
+TEST_F(CellFolder, AxesOfAGantryCarryTheArmInTheirOrder) {
+  const std::string gantry =
+      std::string(kPlain) +
+      "  gantry: [{axis: [1, 0, 0], lower_mm: 0, upper_mm: 6000, mm_s: 500}, {axis: [0, 1, 0], lower_mm: "
+      "-900, "
+      "upper_mm: 900, mm_s: 400}, {axis: [0, 0, -1], lower_mm: 0, upper_mm: 700, mm_s: 300}]\n";
+  const auto model = kinematicModelFromUrdf(cell(gantry));
+  ASSERT_EQ(model->joints().size(), 9U);
+  JointValues values = JointValues::Constant(9, 0.3);
+  values.tail<3>().setZero();
+  const Point3 before = model->bedFromLinks(values).at("base_link").translation();
+  values.tail<3>() << 4000.0, -300.0, 500.0;
+  const Point3 moved = model->bedFromLinks(values).at("base_link").translation() - before;
+  EXPECT_TRUE(moved.isApprox(Point3(4000, -300, -500), 1e-9)) << moved.transpose();
+  EXPECT_NEAR(model->joints()[7].max_speed, 400.0, 1e-9);
+  std::string what =
+      failureOf(gantry + "  rail: {axis: [0, 1, 0], lower_mm: 0, upper_mm: 2000, mm_s: 500}\n");
+  EXPECT_NE(what.find("stands beside the other of rail and gantry"), std::string::npos) << what;
+  what = failureOf(std::string(kPlain) +
+                   "  gantry: [{axis: [1, 0, 0], lower_mm: 0, upper_mm: 6000, mm_s: 500}]\n");
+  EXPECT_NE(what.find("has 1 axes; expected 2 or 3"), std::string::npos) << what;
+}
+
+TEST_F(CellFolder, ControllersAreWhatACellStates) {
+  const std::string plain = kPlain;
+  EXPECT_FALSE(armController(cell(plain)));
+  const auto controller =
+      armController(cell(
+          plain + "  controller: {kind: fanuc, sign: [-1, 1, 1, 1, 1, 1], zero_deg: [0, -90, 90.5, 0, 0, 0], "
+                  "j3_from_j2: -0.5, tool_number: 3, frame_number: 4}\n"));
+  ASSERT_TRUE(controller);
+  EXPECT_EQ(controller->kind, "fanuc");
+  EXPECT_EQ(controller->signs, (std::vector<double>{-1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(controller->zeros_deg, (std::vector<double>{0, -90, 90.5, 0, 0, 0}));
+  EXPECT_EQ(controller->joint_3_from_2, -0.5);
+  EXPECT_EQ(controller->tool_number, 3);
+  EXPECT_EQ(controller->frame_number, 4);
+  for (const auto& [entry, what] :
+       {std::pair("{kind: siemens}", "is 'siemens'; expected abb, kuka, fanuc, yaskawa or ur"),
+        std::pair("{sign: [1, 1, 1, 1, 1, 1]}", "has no kind"),
+        std::pair("{kind: kuka, sign: [1, 1]}", "has 2 numbers; expected 6"),
+        std::pair("{kind: kuka, sign: [0.5, 1, 1, 1, 1, 1]}", "has the sign 0.5; expected 1 or -1"),
+        std::pair("{kind: kuka, j3_from_j2: -1}", "expected it with fanuc alone"),
+        std::pair("{kind: kuka, tool_number: 0}", "is 0; expected a whole number, 1 to 32"),
+        std::pair("{kind: abb, tool_number: 2}", "more than its kind with kind 'abb'")}) {
+    const std::string refusal = failureOf(plain + "  controller: " + entry + "\n");
+    EXPECT_NE(refusal.find(what), std::string::npos) << refusal;
+  }
+}
+
+TEST_F(CellFolder, FourExternalAxesAreRefusedByTheirNumber) {
+  const std::string urdf =
+      cell(std::string(kPlain) +
+           "  gantry: [{axis: [1, 0, 0], lower_mm: 0, upper_mm: 60, mm_s: 5}, {axis: [0, 1, 0], lower_mm: 0, "
+           "upper_mm: 9, mm_s: 4}, {axis: [0, 0, 1], lower_mm: 0, upper_mm: 7, mm_s: 3}]\n");
+  EXPECT_EQ(kinematicModelFromUrdf(urdf)->joints().size(), 9U);
+  // An arm of five joints leaves room for four in a machine.
+  std::string five = test::gantryArm();
+  const auto replace = [&five](const std::string& from, const std::string& to) {
+    five.replace(five.find(from), from.size(), to);
+  };
+  const std::string on_room = "<parent link=\"room\"/><child link=\"bridge\"/>";
+  replace(on_room, "<parent link=\"slide\"/><child link=\"bridge\"/>");
+  const std::string range = "lower=\"0\" upper=\"1\"";
+  replace(
+      "<link name=\"bridge\"/>",
+      "<link name=\"bridge\"/><link name=\"rise\"/><link name=\"slide\"/>" +
+          test::linearJoint("external_3", "<parent link=\"room\"/><child link=\"rise\"/>", "0 0 1", range) +
+          test::linearJoint("external_4", "<parent link=\"rise\"/><child link=\"slide\"/>", "0 0 1", range));
+  const std::size_t type = five.find("type=\"", five.find("<joint name=\"joint_6\"")) + 6;
+  five.replace(type, five.find('"', type) - type, "fixed");
+  try {
+    kinematicModelFromUrdf(five);
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("has 4 external axes; expected 3 at most"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(CellFolder, TheNozzlePointsAlongTheAxisOfTheToolUnderItsFormerNameToo) {
@@ -255,6 +336,13 @@ TEST_F(CellFolder, ASpeedThatADescriptionLacksMayBeStated) {
   text.replace(speed, text.find('"', speed) - speed, "0");
   write("arm.urdf", text);
   EXPECT_NE(failureOf(kPlain).find("has a velocity of 0"), std::string::npos) << failureOf(kPlain);
+  std::string bare = text;
+  bare.replace(speed - 10, 12, "");
+  write("arm.urdf", bare);
+  EXPECT_NE(failureOf(kPlain).find("has no velocity; expected one in its limit, or in cell.arm.limits"),
+            std::string::npos)
+      << failureOf(kPlain);
+  write("arm.urdf", text);
   const auto arm = kinematicModelFromUrdf(cell(withLimits("joint_3: {deg_s: 90}")));
   EXPECT_NEAR(toDegrees(arm->joints()[2].max_speed), 90.0, 1e-9);
 }

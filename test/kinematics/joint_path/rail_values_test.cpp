@@ -144,6 +144,53 @@ TEST(RailValues, ARailThatIsTooShortIsRefusedByName) {
   }
 }
 
+/// Straight across a plate of 4 m x 3 m: the bridge has to follow, and the trolley keeps the wrist within 0.3
+/// of the reach of 1900 mm aside of the arm.
+TEST(RailValues, AGantryFollowsOnBothAxes) {
+  const auto model = kinematicModelFromUrdf(test::gantryArm());
+  const Toolpath toolpath = {"askew",
+                             {{2.0, 2.0, {straight({0, 0, 2}, {kPlate, 3000, 2}, PathRole::OuterWall)}}}};
+  JointPathSettings settings;
+  settings.rail = RailChoice::Follow;
+  settings.yaw_samples = 24;
+  NoProgress nobody;
+  const JointPath path = planJointPath(toolpath, kPlace, *model, settings, nobody);
+  ASSERT_TRUE(path.isRunnable()) << path.faults.front().reason;
+  for (const JointValues& values : path.values) {
+    ASSERT_EQ(values.size(), 8);
+    EXPECT_GE(stretch(*model, values), 0.34 * kArm);
+    EXPECT_LE(stretch(*model, values), 0.91 * kArm);
+    const auto links = model->bedFromLinks(values);
+    const Point3 wrist = links.at("base_link").inverse() * links.at("joint_5_link").translation();
+    EXPECT_LE(std::abs(wrist.y()), 0.3 * kArm + 1.0);
+  }
+  // From where the trolley is level with the wrist, at 700 mm, to 570 mm short of 3700 mm.
+  EXPECT_NEAR(path.values.front()[kRail + 1], 700.0, 1e-6);
+  EXPECT_NEAR(path.values.back()[kRail + 1], 3130.0, 1e-6);
+  EXPECT_GT(path.values.back()[kRail] - path.values.front()[kRail], 1500.0);
+  EXPECT_THROW(
+      {
+        settings.rail = RailChoice::Steps;
+        planJointPath(toolpath, kPlace, *model, settings, nobody);
+      },
+      InvalidConfig);
+}
+
+TEST(RailValues, AGantryWhoseAxesRunAlikeIsRefusedByName) {
+  for (const auto& [trolley, what] :
+       {std::pair("0.96 0.28 0", "joints 'external_1' and 'external_2' carry it the same way"),
+        std::pair("0 0.8 0.6", "joint 'external_2' runs 36.87 deg off a right angle to axis 1")}) {
+    try {
+      armRail(*kinematicModelFromUrdf(test::gantryArm(trolley)));
+      ADD_FAILURE() << trolley;
+    } catch (const InvalidConfig& error) {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+  }
+  // One along axis 1 lifts the arm, and is held.
+  EXPECT_TRUE(armRail(*kinematicModelFromUrdf(test::gantryArm("0 0 1"))).across.empty());
+}
+
 TEST(RailValues, ArmsWithoutARailAreRefusedByName) {
   try {
     armRail(*kinematicModelByName("irb_4600_turntable"));

@@ -118,6 +118,62 @@ TEST_F(RobotTool, OfAScriptIsThatOfTheCell) {
   EXPECT_NE(what.find("expected (-45.000, 0.000, 387.000) mm"), std::string::npos) << what;
 }
 
+TEST_F(RobotTool, OfAScriptIsStatedBeforeTheTipMoves) {
+  std::string& text = files_[0].text;
+  const std::size_t at = text.find("  set_tcp(");
+  const std::string line = text.substr(at, text.find('\n', at) + 1 - at);
+  const std::string what = refusal(line, "");
+  EXPECT_NE(
+      what.find("the tip moves before set_tcp; expected set_tcp before it, of (-45.000, 0.000, 387.000) mm"),
+      std::string::npos)
+      << what;
+}
+
+/// What the cell file has on the flange of irb_4600.
+class LoadOfTheCell : public RobotTool {
+ protected:
+  LoadOfTheCell() {
+    std::string urdf = arm_->urdf();
+    urdf.insert(urdf.find("</robot>"),
+                "<link name=\"cell_flange\"><inertial><origin xyz=\"-0.01 0 0.0805\"/><mass value=\"12.5\"/>"
+                "<inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial></link>"
+                "<joint name=\"to_cell_flange\" type=\"fixed\"><parent link=\"tool0\"/>"
+                "<child link=\"cell_flange\"/></joint>");
+    arm_ = kinematicModelFromUrdf(urdf);
+  }
+};
+
+TEST_F(LoadOfTheCell, IsThatOfAProgram) {
+  EXPECT_EQ(refusal("set_tcp(", "set_tcp("), "");
+  std::string what = refusal("set_payload(12.5", "set_payload(2.5");
+  EXPECT_NE(
+      what.find("the payload is set to 2.5 kg with its centre at (-10, 0, 80.5) mm; expected 12.5 kg with "
+                "its centre at (-10, 0, 80.5) mm, that of the cell of"),
+      std::string::npos)
+      << what;
+  what = refusal("load 12.5 -10 0 80.5", "load 2.5 -10 0 80.5");
+  EXPECT_NE(what.find("the program's notes have a load of 2.5 kg"), std::string::npos) << what;
+}
+
+TEST_F(LoadOfTheCell, IsThatOfTheSettings) {
+  NoProgress nobody;
+  const Toolpath toolpath = test::twoLayers();
+  const JointPath joints = planJointPath(toolpath, Eigen::Isometry3d::Identity(), *arm_, {}, nobody);
+  const RobotMotion robot{*arm_, joints};
+  RobotProgramSettings settings = withLoad();
+  EXPECT_NO_THROW(
+      robotProgram(toolpath, Eigen::Isometry3d::Identity(), {RobotLanguage::Krl, "part", settings}, &robot));
+  settings.tool_mass_kg = 11.0;
+  try {
+    robotProgram(toolpath, Eigen::Isometry3d::Identity(), {RobotLanguage::Krl, "part", settings}, &robot);
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("expected 0, or 12.5 kg with its centre at (-10, 0, 80.5) mm"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(RobotTool, LoadOfAScriptIsThatOfItsNote) {
   const std::string what = refusal("set_payload(12.5", "set_payload(2.5");
   EXPECT_NE(what.find("the payload is set to 2.5 kg with its centre at (-10, 0, 80.5) mm; expected 12.5 kg"),

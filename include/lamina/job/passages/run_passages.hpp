@@ -10,6 +10,7 @@
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/stated_motion.hpp"
+#include "lamina/trajectory/timed_path.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
@@ -25,6 +26,7 @@ struct PassageFault {
 struct RunPassage {
   JointPassage joints;             ///< `before` counts the waypoints of the run
   std::vector<std::size_t> lines;  ///< of the program, for the way to each of the values
+  std::vector<double> feeds;       ///< of the tip on the way to each; 0 where joints move to it [mm/s]
   std::vector<PassageFault> faults;
 };
 
@@ -34,6 +36,12 @@ struct RunPassage {
 /// `joints.max_turn_deg` from one place of a straight way to the next. `before` counts the stated waypoints.
 std::vector<RunPassage> ledPassages(const KinematicModel& model, const StatedMotion& motion,
                                     const JointPathSettings& settings);
+
+/// Time of the ways of all passages [s]: each goes from rest to rest, a straight one at its feed within
+/// `motion.travel_acceleration_mm_s2` or as slowly as joints need, one of the joints at the greatest speeds
+/// of these with the ramp of `trajectory.joint_ramp_s`. A place that is not reached takes none.
+double passageTime(const std::vector<RunPassage>& passages, const KinematicModel& model,
+                   const TimingSettings& settings);
 
 /// What of the way to the first waypoint of an arm's program is not known, in one sentence: it begins
 /// wherever the arm stands.

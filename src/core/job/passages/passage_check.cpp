@@ -10,7 +10,9 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
+#include "lamina/job/passages/run_passages.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
 #include "lamina/program/rapid/writer/rapid_writer.hpp"
@@ -50,25 +52,31 @@ std::optional<StatedMotion> motionAsWritten(const std::string& output, const Pla
   }
 }
 
-}  // namespace
-
-void requireClearPassages(const std::string& output, const PlacedToolpath& placed,
-                          const ProgramSettings& program, const JobSettings& settings) {
-  if (settings.clearance.need == ClearanceNeed::Never || !placed.joints ||
-      !isSixAxisArm(placed.joints->model))
-    return;
-  std::optional<StatedMotion> motion = motionAsWritten(output, placed, program);
-  if (!motion) return;
-  const CheckedMachine machine(placed.joints->model);
-  const MachineCheck check = checkPassages(
-      passagesAsStated(machine.model(), *std::move(motion), settings.joints), machine, settings.clearance);
+void requireClearPassages(const KinematicModelRun& run, const KinematicModel& model,
+                          const std::string& output, const ClearanceSettings& settings) {
+  const CheckedMachine machine(model);
+  const MachineCheck check = checkPassages(run, machine, settings);
   try {
-    requireClear(check, machine.model());
+    requireClear(check, model);
   } catch (const Unreachable& refusal) {
     const std::string key = isRapidFile(output) ? "rapid.approach_mm" : "robot_program.approach_mm";
     throw Unreachable(std::string(refusal.what()) + "; try another way back from the part (" + key +
                       "), or another place of it (placement)");
   }
+}
+
+}  // namespace
+
+double clearPassageTime(const std::string& output, const PlacedToolpath& placed,
+                        const ProgramSettings& program, const JobSettings& settings) {
+  if (!placed.joints || !isSixAxisArm(placed.joints->model)) return 0.0;
+  std::optional<StatedMotion> motion = motionAsWritten(output, placed, program);
+  if (!motion) return 0.0;
+  const KinematicModel& model = placed.joints->model;
+  const KinematicModelRun run = passagesAsStated(model, *std::move(motion), settings.joints);
+  if (settings.clearance.need != ClearanceNeed::Never)
+    requireClearPassages(run, model, output, settings.clearance);
+  return passageTime(run.passages, model, runSettings(settings).timing);
 }
 
 }  // namespace lamina

@@ -10,9 +10,10 @@
 namespace lamina {
 
 /// Checks the ways to and from the part, and between the files, of an arm's program as it would be written to
-/// a file; nothing if `clearance.need` is `never`.
+/// a file; not if `clearance.need` is `never`.
+/// @return their time [s]; 0 of a program that is not read back, as with a tool other than the arm's
 /// @throws Unreachable if a way is not free, with what to try
-void requireClearPassages(const std::string& output, const PlacedToolpath& placed,
-                          const ProgramSettings& program, const JobSettings& settings);
+double clearPassageTime(const std::string& output, const PlacedToolpath& placed,
+                        const ProgramSettings& program, const JobSettings& settings);
 
 }  // namespace lamina

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/passages/run_passages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -38,15 +39,15 @@ class PassageLead {
       : model_(model), settings_(settings), ranges_(jointRanges(model.joints())) {}
 
   /// The place that the first way sets out from.
-  void begin(const JointValues& values, std::size_t line) { push(values, line); }
+  void begin(const JointValues& values, std::size_t line) { push(values, line, 0.0); }
 
   void add(const StatedWay& way) {
     const bool is_known = !led_.joints.values.empty() && led_.joints.values.back().size() > 0;
     if (way.to.size() == 0) {
-      push({}, way.line);
+      push({}, way.line, 0.0);
       led_.faults.push_back({led_.lines.size() - 1, JointFault::OutOfReach, way.fault});
     } else if (!is_known || way.by == StatedMove::Joints) {
-      push(way.to, way.line);
+      push(way.to, way.line, 0.0);
     } else {
       leadStraight(way);
     }
@@ -62,9 +63,10 @@ class PassageLead {
   }
 
  private:
-  void push(JointValues values, std::size_t line) {
+  void push(JointValues values, std::size_t line, double feed_mm_s) {
     led_.joints.values.push_back(std::move(values));
     led_.lines.push_back(line);
+    led_.feeds.push_back(feed_mm_s);
   }
 
   void leadStraight(const StatedWay& way) {
@@ -77,7 +79,7 @@ class PassageLead {
                            std::move(ends), model_, settings_);
     const std::size_t first = led_.lines.size() - 1;  // at which `from` is
     for (std::size_t i = 1; i < led.joints.values.size(); ++i)
-      push(std::move(led.joints.values[i]), way.line);
+      push(std::move(led.joints.values[i]), way.line, way.feed_mm_s);
     for (FaultyWaypoint& each : led.joints.faults)
       led_.faults.push_back({first + each.at.waypoint, each.fault, std::move(each.reason)});
     for (std::size_t i = first + 1; i < led_.lines.size(); ++i) addJump(i);
@@ -109,6 +111,66 @@ bool isSameStation(const JointValues& one, const JointValues& other) {
   return one.size() == other.size() && one.size() > 0 && (one - other).cwiseAbs().maxCoeff() <= kSameStation;
 }
 
+/// From rest to rest.
+double restToRest(double way, double speed, double acceleration) {
+  const bool is_reached = way * acceleration >= speed * speed;
+  return is_reached ? way / speed + speed / acceleration : 2.0 * std::sqrt(way / acceleration);
+}
+
+/// Times of the ways of one passage, each the values of one line.
+class PassageClock {
+ public:
+  PassageClock(const KinematicModel& model, const TimingSettings& settings)
+      : model_(model), settings_(settings) {}
+
+  double time(const RunPassage& passage) const {
+    const std::size_t count = passage.lines.size();
+    double time_s = 0.0;
+    for (std::size_t from = 0; from + 1 < count;) {
+      std::size_t to = from + 1;
+      while (to + 1 < count && passage.lines[to + 1] == passage.lines[to]) ++to;
+      time_s += wayTime(passage, from, to);
+      from = to;
+    }
+    return time_s;
+  }
+
+ private:
+  double wayTime(const RunPassage& passage, std::size_t from, std::size_t to) const {
+    const std::vector<JointValues>& values = passage.joints.values;
+    for (std::size_t i = from; i <= to; ++i)
+      if (values[i].size() == 0) return 0.0;
+    const double feed = passage.feeds[to];
+    if (feed == 0.0) return jointTime(values[from], values[to]);
+    double way_mm = 0.0;
+    double joints_s = 0.0;
+    for (std::size_t i = from + 1; i <= to; ++i) {
+      way_mm += (tip(values[i]) - tip(values[i - 1])).norm();
+      joints_s += fastest(values[i - 1], values[i]);
+    }
+    return std::max(joints_s, restToRest(way_mm, feed, settings_.motion.travel_acceleration_mm_s2));
+  }
+
+  Point3 tip(const JointValues& values) const { return model_.bedFromNozzle(values).translation(); }
+
+  double fastest(const JointValues& from, const JointValues& to) const {
+    double time_s = 0.0;
+    for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+      const auto index = static_cast<Eigen::Index>(j);
+      time_s = std::max(time_s, std::abs(to[index] - from[index]) / model_.joints()[j].max_speed);
+    }
+    return time_s;
+  }
+
+  double jointTime(const JointValues& from, const JointValues& to) const {
+    // In shares of the speeds, whose ramps are equally long.
+    return restToRest(fastest(from, to), 1.0, 1.0 / settings_.trajectory.joint_ramp_s);
+  }
+
+  const KinematicModel& model_;
+  const TimingSettings& settings_;
+};
+
 RunPassage ledPassage(const KinematicModel& model, const StatedMotion& motion, const StatedPassage& passage,
                       const JointPathSettings& settings) {
   PassageLead lead(model, settings);
@@ -122,6 +184,7 @@ RunPassage ledPassage(const KinematicModel& model, const StatedMotion& motion, c
     StatedWay to_part;
     to_part.to = part[before];
     to_part.line = motion.lines[before];
+    to_part.feed_mm_s = passage.feed_mm_s;
     lead.add(to_part);
   }
   return lead.take(before);
@@ -136,6 +199,14 @@ std::vector<RunPassage> ledPassages(const KinematicModel& model, const StatedMot
   for (const StatedPassage& passage : motion.passages)
     led.push_back(ledPassage(model, motion, passage, settings));
   return led;
+}
+
+double passageTime(const std::vector<RunPassage>& passages, const KinematicModel& model,
+                   const TimingSettings& settings) {
+  const PassageClock clock(model, settings);
+  double time_s = 0.0;
+  for (const RunPassage& passage : passages) time_s += clock.time(passage);
+  return time_s;
 }
 
 std::string unknownWay(const StatedMotion& motion) {

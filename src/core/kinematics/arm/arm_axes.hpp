@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "kinematics/arm/arm_inverse.hpp"
 #include "kinematics/arm/turn.hpp"
@@ -68,6 +70,35 @@ class ArmPlane {
   };
   Ways waysTo(const Point3& point) const;
 
+  /// The rotations of axes 2 and 3 together in these two postures, to a target in the plane seen from axis 2
+  /// (`inPlane`), and their excess: what `waysTo` has, in a fraction of its time.
+  struct Bends {
+    std::array<Turn, 2> both;
+    double excess = 0.0;
+  };
+  Bends bendsTo(const Point2& target) const {
+    const double square = target.squaredNorm();
+    const double links = upper_mm_ * upper_mm_ + fore_mm_ * fore_mm_;
+    const double twice = 2.0 * upper_mm_ * fore_mm_;
+    const double wanted = (square - links) / twice;
+    const double cosine = std::clamp(wanted, -1.0, 1.0);
+    const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
+    const double size = std::sqrt(square * (links + twice * cosine));
+    Turn way(1.0, 0.0);
+    Turn bent(cosine, sine);
+    if (size > 0.0) {
+      way = difference(target / size, upper_at_zero_);
+      // The rotation from the stretched arm to its second link, times its length.
+      bent = {upper_mm_ * cosine + fore_mm_, upper_mm_ * sine};
+    }
+    way = difference(way, bent_at_zero_);
+    return {{sum(way, bent), difference(way, bent)}, std::abs(wanted) - 1.0};
+  }
+
+  Point2 inPlane(const Point3& vector) const { return {u_.dot(vector), v_.dot(vector)}; }
+  const Point3& centre() const { return centre_; }
+  const Point3& shoulder() const { return shoulder_; }
+
   /// Value of joint 2 or 3 in a posture [rad], counted about the joint's own direction.
   double secondValue(const Way& way) const { return angleOf(way.second); }
   double thirdValue(const Way& way) const { return sense_ * angleOf(way.third); }
@@ -76,8 +107,6 @@ class ArmPlane {
   double fore() const { return fore_mm_; }
 
  private:
-  Point2 inPlane(const Point3& vector) const { return {u_.dot(vector), v_.dot(vector)}; }
-
   Point3 centre_;  // on axis 1
   Point3 axis_;    // of axis 1
   Point3 normal_;  // axis 2

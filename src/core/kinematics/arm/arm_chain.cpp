@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kFewestJoints = 5;
 constexpr std::size_t kMostArmJoints = 7;
+constexpr std::size_t kMostExternal = 3;
 
 [[noreturn]] void refuse(const SerialChain& chain, const std::string& what) {
   throw InvalidConfig(
@@ -41,6 +42,9 @@ ArmChain armChain(SerialChain whole) {
     if (count < kMostArmJoints) split.arm_index.push_back(j);
     append(split.arm, whole, index);
   }
+  if (split.external.joints.size() > kMostExternal)
+    throw InvalidConfig("arm '" + whole.name + "' has " + std::to_string(split.external.joints.size()) +
+                        " external axes; expected 3 at most, those of a gantry and a positioner together");
   const std::size_t count = split.arm.joints.size();
   if (count < kFewestJoints || count > kMostArmJoints)
     refuse(whole, "has " + std::to_string(count) + " rotary joints");

@@ -29,17 +29,41 @@ constexpr double kSameRoot = 1e-6;   // rad
 constexpr double kLevel = 1e-9;      // of sines: below it they are no divisor
 constexpr std::size_t kWays = 4;     // of axes 1 to 3
 
-/// An arm whose axes 4 and 5 meet, whose axis 2 is at a right angle to 1, and 3 a parallel of 2.
+/// An arm whose axes 4 and 5 meet, whose axis 2 is at a right angle to 1, and 3 a parallel of 2. Vectors of
+/// the frame of axis 1 have their last coordinate along that axis, and the second at a right angle to axis 2.
 struct OffsetWristArm {
   explicit OffsetWristArm(const ArmAxes& at_zero)
       : axes(at_zero), wrist(nearest(axes[4], axes[3])), plane(axes, wrist) {
-    cosine = axes[3].direction.dot(axes[4].direction);
+    const Point3& first = plane.first();
+    const Point3& second = plane.normal();
+    const Point3& fourth = axes[3].direction;
+    cosine = fourth.dot(axes[4].direction);
+    frame.row(2) = first;
+    frame.row(1) = first.cross(second).normalized();
+    frame.row(0) = frame.row(1).cross(frame.row(2));
+    normal = frame * second;
+    height = second.dot(wrist - plane.centre());
+    const double along = second.dot(fourth);
+    fourth_even = frame * (along * second);
+    fourth_across = frame * (fourth - along * second);
+    fourth_aside = frame * second.cross(fourth);
+    for (int axis = 0; axis < 3; ++axis) in_plane.col(axis) = plane.inPlane(frame.row(axis).transpose());
+    shoulder = plane.inPlane(plane.shoulder() - plane.centre());
   }
 
   ArmAxes axes;
   Point3 wrist;  ///< where axes 4 and 5 meet
   ArmPlane plane;
-  double cosine = 0.0;  ///< of axis 5 to axis 4
+  double cosine = 0.0;    ///< of axis 5 to axis 4
+  Eigen::Matrix3d frame;  ///< of axis 1, from the bed
+  Point3 normal;          ///< axis 2 in that frame, as are those below
+  double height = 0.0;    ///< of the wrist along axis 2, over axis 1 [mm]
+  /// Axis 4 as axes 2 and 3 turn it: even + cos · across + sin · aside.
+  Point3 fourth_even;
+  Point3 fourth_across;
+  Point3 fourth_aside;
+  Eigen::Matrix<double, 2, 3> in_plane;  ///< coordinates in the plane of the arm, from the frame
+  Point2 shoulder;                       ///< axis 2 in that plane [mm]
 };
 
 /// A vector that axis 6 turns back: even + cos · across + sin · aside.
@@ -73,9 +97,12 @@ class OffsetWristSolver {
   OffsetWristSolver(const OffsetWristArm& arm, const Eigen::Isometry3d& moved)
       : arm_(arm),
         wrist_(arm.wrist - arm.axes[5].point, arm.axes[5].direction, moved.linear()),
-        fifth_(arm.axes[4].direction, arm.axes[5].direction, moved.linear()),
+        framed_wrist_(arm.wrist - arm.axes[5].point, arm.axes[5].direction, arm.frame * moved.linear()),
+        framed_fifth_(arm.axes[4].direction, arm.axes[5].direction, arm.frame * moved.linear()),
         on_sixth_(moved * arm.axes[5].point),
-        moved_(moved) {}
+        moved_(moved) {
+    framed_wrist_.even += arm.frame * (on_sixth_ - arm.plane.centre());
+  }
 
   /// Values near solutions, for Newton's method.
   std::vector<ArmValues> all() const {
@@ -149,22 +176,32 @@ class OffsetWristSolver {
   /// For each of the ways of axes 1 to 3; those out of reach by the one that comes nearest, so that the
   /// residual goes on steadily.
   Residuals residuals(const Turn& sixth) const {
-    const Point3 wrist = on_sixth_ + wrist_.at(sixth);
-    const Point3 fifth = fifth_.at(sixth);
-    const TwoTurns firsts = arm_.plane.firstTurns(wrist, arm_.wrist);
+    const Point3 wrist = framed_wrist_.at(sixth);
+    const Point3 fifth = framed_fifth_.at(sixth);
+    const Point3& normal = arm_.normal;
+    const TwoTurns firsts =
+        turnsWith(wrist.x() * normal.x() + wrist.z() * normal.z(), wrist.y() * normal.x(), arm_.height);
     Residuals residuals;
     for (std::size_t i = 0; i < 2; ++i) {
       const Turn& first = firsts.turns[i];
-      const Point3 seen = turned(fifth, arm_.plane.first(), {first.x(), -first.y()});
-      const auto [ways, excess] = arm_.plane.waysTo(arm_.plane.turnedBack(wrist, first));
+      const Point3 seen = withoutFirst(fifth, first);
+      const double even = seen.dot(arm_.fourth_even) - arm_.cosine;
+      const double across = seen.dot(arm_.fourth_across);
+      const double aside = seen.dot(arm_.fourth_aside);
+      const auto bends = arm_.plane.bendsTo(arm_.in_plane * withoutFirst(wrist, first) - arm_.shoulder);
       for (std::size_t k = 0; k < 2; ++k) {
-        const Turn both = sum(ways[k].second, ways[k].third);
-        residuals.excess[2 * i + k] = std::max(firsts.excess, excess);
-        residuals.f[2 * i + k] =
-            seen.dot(turned(arm_.axes[3].direction, arm_.plane.normal(), both)) - arm_.cosine;
+        const Turn& both = bends.both[k];
+        residuals.excess[2 * i + k] = std::max(firsts.excess, bends.excess);
+        residuals.f[2 * i + k] = even + both.x() * across + both.y() * aside;
       }
     }
     return residuals;
+  }
+
+  /// A vector of the frame of axis 1 with the rotation of that axis taken back.
+  static Point3 withoutFirst(const Point3& vector, const Turn& first) {
+    return {first.x() * vector.x() + first.y() * vector.y(), first.x() * vector.y() - first.y() * vector.x(),
+            vector.z()};
   }
 
   Sample sampleAt(std::size_t way, double angle) const {
@@ -236,10 +273,20 @@ class OffsetWristSolver {
 
   const OffsetWristArm& arm_;
   TurnedBySixth wrist_;
-  TurnedBySixth fifth_;
+  TurnedBySixth framed_wrist_;  ///< from axis 1, in its frame, as is the one below
+  TurnedBySixth framed_fifth_;
   Point3 on_sixth_;
   const Eigen::Isometry3d& moved_;
 };
+
+/// Of values in (-pi, pi].
+bool isSameRoot(const ArmValues& one, const ArmValues& other) {
+  for (Eigen::Index j = 0; j < one.size(); ++j) {
+    const double off = std::abs(one[j] - other[j]);
+    if (std::min(off, 2.0 * M_PI - off) >= kSameRoot) return false;
+  }
+  return true;
+}
 
 class OffsetWristInverse : public ArmInverse {
  public:
@@ -253,11 +300,7 @@ class OffsetWristInverse : public ArmInverse {
     ArmSolutions found;
     for (const ArmValues& start : OffsetWristSolver(geometry_, moved).all()) {
       const auto values = lamina::refined(arm_, bed_from_nozzle, start);
-      const auto isSame = [&](const ArmSolution& known) {
-        return (known.values - *values)
-                   .unaryExpr([](double angle) { return std::abs(std::remainder(angle, 2.0 * M_PI)); })
-                   .maxCoeff() < kSameRoot;
-      };
+      const auto isSame = [&](const ArmSolution& known) { return isSameRoot(known.values, *values); };
       if (values && found.size() < found.capacity() && std::none_of(found.begin(), found.end(), isSame))
         found.push_back({branchOf(sines(*values)), *values});
     }

@@ -17,6 +17,7 @@
 
 #include "base/decimals.hpp"
 #include "base/strict_yaml.hpp"
+#include "kinematics/description_files/controller_entry.hpp"
 #include "kinematics/description_files/description_faults.hpp"
 #include "kinematics/description_files/flange.hpp"
 #include "kinematics/description_files/replaced_limits.hpp"
@@ -34,7 +35,8 @@ namespace {
 constexpr double kMetre = 1e-3;  // in a millimetre
 constexpr double kAcross = 0.5;  // cosine: the flange's z is neither along the last axis nor against it
 constexpr double kHeaviestCellTool = 1000.0;  // kg
-constexpr int kDigitsOfCell = 17;             // of doubles
+constexpr std::size_t kMostOfGantry = 3;
+constexpr int kDigitsOfCell = 17;  // of doubles
 
 using Vector = std::array<double, 3>;
 
@@ -86,10 +88,11 @@ struct CellBody {
 struct CellFile {
   std::vector<std::string> packages;
   CellArm arm;
-  std::optional<CellAxis> rail;
+  std::vector<CellAxis> rails;  // those that carry the arm, from the room on
   std::optional<CellPositioner> positioner;
   CellTool tool;
   CellBed bed;
+  std::optional<ArmController> controller;
   std::vector<CellBody> bodies;
   std::vector<std::array<std::string, 2>> ignored;  // links that are not checked against each other
 };
@@ -111,14 +114,19 @@ class CellReader {
     CellFile cell;
     bool has_arm = false;
     bool has_bed = false;
-    for (const auto& [key, node] : top[0].second.entries(
-             {"packages", "arm", "rail", "positioner", "tool", "bed", "bodies", "ignore"})) {
+    for (const auto& [key, node] : top[0].second.entries({"packages", "arm", "rail", "gantry", "positioner",
+                                                          "tool", "bed", "bodies", "ignore", "controller"})) {
       if (key == "packages")
         for (const std::string& folder : node.texts()) cell.packages.push_back(placed(folder));
       if (key == "arm") cell.arm = arm(node);
-      if (key == "rail") cell.rail = rail(node);
+      if (key == "rail" || key == "gantry") {
+        if (!cell.rails.empty()) node.refuse("stands beside the other of rail and gantry; expected one");
+        if (key == "rail") cell.rails.push_back(rail(node));
+        if (key == "gantry") cell.rails = gantry(node);
+      }
       if (key == "positioner") cell.positioner = positioner(node);
       if (key == "tool") cell.tool = tool(node);
+      if (key == "controller") cell.controller = armControllerFrom(node);
       if (key == "bed") cell.bed = bed(node);
       if (key == "bodies")
         for (const StrictYaml& piece : node.pieces()) cell.bodies.push_back(body(piece));
@@ -165,6 +173,14 @@ class CellReader {
     if (!(rail.lower_mm < rail.upper_mm)) node.refuse("has a lower_mm that is not less than upper_mm");
     if (!(rail.speed_mm_s > 0.0)) node.refuse("has no mm_s; expected a positive speed");
     return rail;
+  }
+
+  static std::vector<CellAxis> gantry(const StrictYaml& node) {
+    std::vector<CellAxis> axes;
+    for (const StrictYaml& piece : node.pieces()) axes.push_back(rail(piece));
+    if (axes.size() < 2 || axes.size() > kMostOfGantry)
+      node.refuse("has " + std::to_string(axes.size()) + " axes; expected 2 or 3, or rail for one");
+    return axes;
   }
 
   CellPositioner positioner(const StrictYaml& node) const {
@@ -369,15 +385,30 @@ std::string bedText(const CellFile& cell, const std::string& parent) {
          jointText("cell_bed_place", "fixed", {parent, "bed"}, originText(cell.bed.at));
 }
 
-std::string railText(const CellFile& cell, const std::string& root) {
-  if (!cell.rail) return jointText("cell_arm_place", "fixed", {"cell_world", root}, originText({}));
-  const CellAxis& rail = *cell.rail;
+std::string axisText(const CellAxis& rail, const std::string& name,
+                     const std::pair<std::string, std::string>& parent_and_child) {
   std::ostringstream limit;
   limit.precision(kDigitsOfCell);
   limit << "<limit lower=\"" << kMetre * rail.lower_mm << "\" upper=\"" << kMetre * rail.upper_mm
         << "\" velocity=\"" << kMetre * rail.speed_mm_s << "\" effort=\"0\"/>";
-  return jointText("external_1", "prismatic", {"cell_world", root},
+  return jointText(name, "prismatic", parent_and_child,
                    "<axis xyz=\"" + numbersText(rail.axis, 1.0) + "\"/>" + limit.str());
+}
+
+/// What carries the arm: each axis of a gantry moves a carriage, the last one the arm.
+std::string railText(const CellFile& cell, const std::string& root) {
+  if (cell.rails.empty()) return jointText("cell_arm_place", "fixed", {"cell_world", root}, originText({}));
+  std::string text;
+  std::string under = "cell_world";
+  for (std::size_t i = 0; i < cell.rails.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    const bool is_last = i + 1 == cell.rails.size();
+    const std::string moved = is_last ? root : "cell_carriage_" + number;
+    if (!is_last) text += "<link name=\"" + moved + "\"/>";
+    text += axisText(cell.rails[i], "external_" + number, {under, moved});
+    under = moved;
+  }
+  return text;
 }
 
 /// The base of the arm, in which the bed is placed: it stands still where the arm stands with its rail at
@@ -414,8 +445,8 @@ std::string mergedText(const CellFile& cell) {
   if (!cell.arm.base.empty()) text += baseText(*arm, cell.arm.base);
   if (cell.positioner) {
     const std::string& path = cell.positioner->urdf;
-    const std::string moved =
-        positionerText(readRobotDescription(path, cell.packages), path, cell.rail ? 2 : 1);
+    const std::string moved = positionerText(readRobotDescription(path, cell.packages), path,
+                                             static_cast<int>(cell.rails.size()) + 1);
     const auto table = parseMachine(moved);
     const std::string carried =
         flangeOf(*table, cell.positioner->flange.empty() ? "" : "positioner_" + cell.positioner->flange);
@@ -431,6 +462,7 @@ std::string mergedText(const CellFile& cell) {
     text +=
         "</link>" + jointText("cell_bodies_place", "fixed", {"cell_world", "cell_bodies"}, originText({}));
   }
+  if (cell.controller) text += controllerText(*cell.controller);
   for (const auto& [one, other] : cell.ignored)
     text += "<lamina_ignore link1=\"" + one + "\" link2=\"" + other + "\"/>";
   return text + "</robot>";

@@ -121,7 +121,10 @@ class FaultCollector {
     }
     const double velocity = numberOf(*limit, "velocity");
     if (!(velocity > 0.0 && std::isfinite(velocity)))
-      add("joint", joint, "has a velocity of " + attributeOf(*limit, "velocity") + "; must be positive");
+      add("joint", joint,
+          limit->Attribute("velocity") == nullptr
+              ? "has no velocity; expected one in its limit, or in cell.arm.limits"
+              : "has a velocity of " + attributeOf(*limit, "velocity") + "; must be positive");
     if (type != "continuous" && !(numberOf(*limit, "lower") < numberOf(*limit, "upper")))
       add("joint", joint,
           "has limits '" + attributeOf(*limit, "lower") + "' to '" + attributeOf(*limit, "upper") +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "kinematics/arm/six_axis_arm.hpp"
 #include "lamina/base/angle.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kParallelAxes = 1e-9;            // squared sine
 constexpr double kOffRightAngle = 1.0 * kDegree;  // of a rail to axis 1
+constexpr double kLeastAcross = 0.5;              // sine between two axes of a gantry
 constexpr std::size_t kArmAxes = 6;               // before the external ones
 
 /// The point of an axis that is nearest to another axis; any one of parallel axes.
@@ -31,8 +33,9 @@ double distanceFromScrew(const Screw& axis, const Point3& point) {
 }
 
 [[noreturn]] void refuseRail(const std::string& arm, const std::string& what) {
-  throw InvalidConfig("arm '" + arm + "': " + what +
-                      "; joints.rail follow or steps expects one rail that carries the arm");
+  throw InvalidConfig(
+      "arm '" + arm + "': " + what +
+      "; joints.rail follow or steps expects one rail that carries the arm, or follow a gantry that does");
 }
 
 /// The lengths of an arm, from its axes with all joints at zero.
@@ -50,13 +53,69 @@ void measureArm(ArmRail& rail, const SerialChain& arm) {
                   std::abs(axes[1].direction.dot(bend - rail.centre));
 }
 
-void setRailWay(ArmRail& rail) {
-  const Point3& direction = rail.external.screws[static_cast<std::size_t>(rail.in_external)].direction;
+enum class RailWay : std::uint8_t { Level, Upright };
+
+RailWay wayOf(const ArmRail& rail, Eigen::Index joint) {
+  const Point3& direction = rail.external.screws[static_cast<std::size_t>(joint)].direction;
   const double off = std::asin(std::min(1.0, std::abs(direction.dot(rail.up))));
-  if (off > kOffRightAngle)
-    refuseRail(rail.arm, "joint '" + rail.joint + "' runs " + angleText(off) +
-                             " off a right angle to axis 1, more than 1 deg");
-  rail.along = (direction - direction.dot(rail.up) * rail.up).normalized();
+  if (off <= kOffRightAngle) return RailWay::Level;
+  const auto& joints = rail.external.joints;
+  const bool is_gantry = joints.size() > 1 && joints[joints.size() - 2].kind == JointKind::Linear;
+  if (is_gantry && off >= 0.5 * M_PI - kOffRightAngle) return RailWay::Upright;
+  refuseRail(rail.arm, "joint '" + joints[static_cast<std::size_t>(joint)].name + "' runs " + angleText(off) +
+                           " off a right angle to axis 1, more than 1 deg");
+}
+
+Point3 levelWay(const ArmRail& rail, Eigen::Index joint) {
+  const Point3& direction = rail.external.screws[static_cast<std::size_t>(joint)].direction;
+  return (direction - direction.dot(rail.up) * rail.up).normalized();
+}
+
+/// Those that carry the arm, from the bed on.
+std::vector<Eigen::Index> levelAxes(const ArmRail& rail, const std::vector<JointRange>& ranges) {
+  const auto linear =
+      std::count_if(ranges.begin(), ranges.end(), [](const JointRange& range) { return !range.is_rotary; });
+  if (linear == 0) refuseRail(rail.arm, "has 0 linear external axes");
+  std::vector<Eigen::Index> level;
+  for (std::size_t j = 0; j < ranges.size(); ++j) {
+    if (ranges[j].is_rotary) continue;
+    const auto carried = std::find_if(ranges.begin() + static_cast<std::ptrdiff_t>(j), ranges.end(),
+                                      [](const JointRange& range) { return range.is_rotary; });
+    if (carried != ranges.end())
+      refuseRail(rail.arm, "its linear external axis carries '" +
+                               rail.external.joints[static_cast<std::size_t>(carried - ranges.begin())].name +
+                               "'");
+    if (wayOf(rail, static_cast<Eigen::Index>(j)) == RailWay::Level)
+      level.push_back(static_cast<Eigen::Index>(j));
+  }
+  if (level.empty()) refuseRail(rail.arm, "has no linear external axis at a right angle to axis 1");
+  return level;
+}
+
+/// The longest one is the rail, all others are across it.
+void setAxes(ArmRail& rail, const std::vector<JointRange>& ranges) {
+  const std::vector<Eigen::Index> level = levelAxes(rail, ranges);
+  const auto length = [&](Eigen::Index j) {
+    const JointRange& range = ranges[static_cast<std::size_t>(j)];
+    return range.high - range.low;
+  };
+  rail.in_external = *std::max_element(level.begin(), level.end(),
+                                       [&](Eigen::Index a, Eigen::Index b) { return length(a) < length(b); });
+  const auto main = static_cast<std::size_t>(rail.in_external);
+  rail.joint = rail.external.joints[main].name;
+  rail.in_station = rail.external_in_station[main];
+  rail.range = ranges[main];
+  rail.along = levelWay(rail, rail.in_external);
+  for (const Eigen::Index j : level) {
+    if (j == rail.in_external) continue;
+    const auto index = static_cast<std::size_t>(j);
+    const double aside = rail.up.cross(rail.along).dot(levelWay(rail, j));
+    if (!rail.across.empty() || std::abs(aside) < kLeastAcross)
+      refuseRail(rail.arm, "joints '" + rail.joint + "' and '" + rail.external.joints[index].name +
+                               "' carry it the same way");
+    rail.across.push_back(
+        {rail.external.joints[index].name, rail.external_in_station[index], ranges[index], aside});
+  }
 }
 
 }  // namespace
@@ -70,18 +129,8 @@ ArmRail armRail(const KinematicModel& model) {
   rail.external_in_station.reserve(chain.external_index.size());
   for (const Eigen::Index in_model : chain.external_index)
     rail.external_in_station.push_back(static_cast<std::size_t>(in_model) - kArmAxes);
-  const std::vector<JointRange> ranges = jointRanges(rail.external.joints);
-  const auto linear =
-      std::count_if(ranges.begin(), ranges.end(), [](const JointRange& range) { return !range.is_rotary; });
-  if (linear != 1) refuseRail(rail.arm, "has " + std::to_string(linear) + " linear external axes");
-  if (ranges.back().is_rotary)
-    refuseRail(rail.arm, "its linear external axis carries '" + rail.external.joints.back().name + "'");
-  rail.in_external = static_cast<Eigen::Index>(ranges.size()) - 1;
-  rail.joint = rail.external.joints.back().name;
-  rail.in_station = rail.external_in_station.back();
-  rail.range = ranges.back();
   measureArm(rail, chain.arm);
-  setRailWay(rail);
+  setAxes(rail, jointRanges(rail.external.joints));
   return rail;
 }
 

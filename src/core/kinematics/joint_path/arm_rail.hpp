@@ -14,6 +14,14 @@
 
 namespace lamina {
 
+/// Another linear axis of a gantry, across its rail: a bridge, or the trolley on it.
+struct CrossRail {
+  std::string joint;
+  std::size_t in_station = 0;  ///< index among the external axes of a station
+  JointRange range;
+  double aside = 1.0;  ///< way of the arm aside of the rail for each millimetre of the axis
+};
+
 /// A rail that carries a six-axis arm, and how far the arm stretches. Its wrist is where axis 6 passes axis
 /// 5, its shoulder where axis 2 is with axis 1 turned to the wrist.
 struct ArmRail {
@@ -32,12 +40,15 @@ struct ArmRail {
   double shoulder_mm = 0.0;        ///< distance of the shoulder from axis 1
   double reach_mm = 0.0;           ///< of the wrist from the shoulder, with the elbow straight
   double wrist_mm = 0.0;           ///< height of the wrist over the tip, along the tool axis
+  std::vector<CrossRail> across;   ///< of a gantry
   double slack_mm = 0.0;  ///< how far the wrist may be from where it is taken to be, on the tool axis
 };
 
-/// The rail of a kinematic model.
-/// @throws InvalidConfig naming the arm if it is no six-axis arm, does not have exactly one linear external
-///   axis, or that one does not carry the arm's base at a right angle to axis 1, within 1 deg
+/// The rail of a kinematic model, the longest axis of a gantry. Axes of a gantry along axis 1 are none: they
+/// are held.
+/// @throws InvalidConfig naming the arm if it is no six-axis arm, has no linear external axis that carries
+/// its
+///   base at a right angle to axis 1, within 1 deg, or one in another direction, or two in the same
 ArmRail armRail(const KinematicModel& model);
 
 /// Values of a rail [mm], for each station, with which the wrist is between 0.35 and 0.9 of the reach from
@@ -50,5 +61,12 @@ ArmRail armRail(const KinematicModel& model);
 /// @throws Unreachable naming the rail if its limits keep the arm from a station, or if it would have to move
 ///   along a bead in steps
 std::vector<double> railValues(const ArmRail& rail, const std::vector<Station>& stations, RailChoice choice);
+
+/// Values of an axis across the rail [mm], for each station, with which the wrist is at most 0.3 of the reach
+/// aside of where the rail carries the arm, wherever the limits allow it: as for a rail that follows, from
+/// where the arm is level with the wrist.
+/// @param stations  with the values of all other external axes but the rail's
+std::vector<double> crossRailValues(const ArmRail& rail, const CrossRail& across,
+                                    const std::vector<Station>& stations);
 
 }  // namespace lamina

@@ -17,6 +17,7 @@ constexpr double kNearestShare = 0.35;
 constexpr double kBestShare = 0.7;
 constexpr double kFarthestShare = 0.9;
 constexpr double kStretchedShare = 0.97;
+constexpr double kAsideShare = 0.3;
 
 constexpr double kRoundedOver = 0.4;  // s
 constexpr double kAlikeSides = 1e-6;  // mm
@@ -51,6 +52,65 @@ RailSpan spanInLimits(const RailSpan& span, const JointRange& range) {
   return {bounded(span.low), bounded(span.high)};
 }
 
+/// Area between a line through values and the one at `i`, to one side, over a time.
+double areaBeside(const std::vector<double>& at, const std::vector<double>& values, std::size_t i, int side,
+                  double time) {
+  double area = 0.0;
+  double left = time;
+  for (std::size_t k = i; left > 0.0 && (side > 0 ? k + 1 < at.size() : k > 0);) {
+    const std::size_t next = side > 0 ? k + 1 : k - 1;
+    const double length = std::abs(at[next] - at[k]);
+    const double share = std::min(1.0, left / length);
+    const double reached = values[k] + share * (values[next] - values[k]);
+    area += share * length * (0.5 * (values[k] + reached) - values[i]);
+    left -= length;
+    k = next;
+  }
+  return area;
+}
+
+/// Means over a time, nearer to the ends over less of it, so that both ends stay.
+std::vector<double> rounded(const std::vector<double>& at, const std::vector<double>& values) {
+  std::vector<double> means = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double half = std::min({0.5 * kRoundedOver, at[i] - at.front(), at.back() - at[i]});
+    if (half <= 0.0) continue;
+    const double area = areaBeside(at, values, i, 1, half) + areaBeside(at, values, i, -1, half);
+    means[i] = values[i] + area / (2.0 * half);
+  }
+  return means;
+}
+
+/// The way of least motion through what is allowed at each station, from a value at the first one on.
+std::vector<double> ledThrough(const std::vector<Station>& stations, const std::vector<RailSpan>& allowed,
+                               double first) {
+  const std::vector<double> at = passedAt(stations);
+  std::vector<Gate> gates;
+  gates.reserve(allowed.size());
+  double value = first;
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    value = std::clamp(value, allowed[i].low, allowed[i].high);
+    gates.push_back({at[i], allowed[i].low, allowed[i].high});
+  }
+  // The end is free: it is where the least motion leads.
+  gates.back() = {at.back(), value, value};
+  gates.front().low = gates.front().high = first;
+  return rounded(at, tautString(gates));
+}
+
+/// The wrist of a station, with all that carries the arm at zero; other external axes as they stand there.
+WristPlace wristPlace(const ArmRail& rail, const Station& station, const std::vector<std::size_t>& at_zero) {
+  JointValues external(static_cast<Eigen::Index>(rail.external_in_station.size()));
+  for (Eigen::Index j = 0; j < external.size(); ++j) {
+    const std::size_t in_station = rail.external_in_station[static_cast<std::size_t>(j)];
+    const bool is_at_zero = std::find(at_zero.begin(), at_zero.end(), in_station) != at_zero.end();
+    external[j] = is_at_zero ? 0.0 : station.external.at(in_station);
+  }
+  const Eigen::Isometry3d nozzle = bedFromNozzle(rail.external, external).inverse() * station.pose();
+  const Point3 wrist = nozzle.translation() - rail.wrist_mm * nozzle.linear().col(2) - rail.centre;
+  return {rail.along.dot(wrist), rail.up.cross(rail.along).dot(wrist), rail.up.dot(wrist)};
+}
+
 /// On which side of the wrist the arm stands: -1 for lesser values of the rail, 1 for greater ones.
 using RailSide = double;
 
@@ -73,18 +133,10 @@ class RailLeading {
   }
 
   std::vector<double> following() const {
-    const std::vector<double> at = passedAt(stations_);
-    std::vector<Gate> gates;
-    gates.reserve(rooms_.size());
-    double value = rooms_.front().best;
-    for (std::size_t i = 0; i < rooms_.size(); ++i) {
-      value = std::clamp(value, rooms_[i].allowed.low, rooms_[i].allowed.high);
-      gates.push_back({at[i], rooms_[i].allowed.low, rooms_[i].allowed.high});
-    }
-    // The end is free: it is where the least motion leads.
-    gates.back() = {at.back(), value, value};
-    gates.front().low = gates.front().high = rooms_.front().best;
-    return rounded(at, tautString(gates));
+    std::vector<RailSpan> allowed;
+    allowed.reserve(rooms_.size());
+    for (const RailRoom& room : rooms_) allowed.push_back(room.allowed);
+    return ledThrough(stations_, allowed, rooms_.front().best);
   }
 
   std::vector<double> stepping() const {
@@ -113,15 +165,7 @@ class RailLeading {
     std::size_t last = 0;
   };
 
-  WristPlace placeOf(const Station& station) const {
-    JointValues external(static_cast<Eigen::Index>(rail_.external_in_station.size()));
-    for (Eigen::Index j = 0; j < external.size(); ++j)
-      external[j] = station.external.at(rail_.external_in_station[static_cast<std::size_t>(j)]);
-    external[rail_.in_external] = 0.0;
-    const Eigen::Isometry3d nozzle = bedFromNozzle(rail_.external, external).inverse() * station.pose();
-    const Point3 wrist = nozzle.translation() - rail_.wrist_mm * nozzle.linear().col(2) - rail_.centre;
-    return {rail_.along.dot(wrist), rail_.up.cross(rail_.along).dot(wrist), rail_.up.dot(wrist)};
-  }
+  WristPlace placeOf(const Station& station) const { return wristPlace(rail_, station, {rail_.in_station}); }
 
   /// How far to either side of the foot the wrist is no farther than that from the shoulder.
   std::optional<double> halfWithin(const WristPlace& place, double distance_mm) const {
@@ -176,35 +220,6 @@ class RailLeading {
     const Point3& tip = station.position;
     return "(" + numberText(tip.x()) + ", " + numberText(tip.y()) + ", " + numberText(tip.z()) +
            ") mm over the bed";
-  }
-
-  /// Means over a time, nearer to the ends over less of it, so that both ends stay.
-  static std::vector<double> rounded(const std::vector<double>& at, const std::vector<double>& values) {
-    std::vector<double> means = values;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double half = std::min({0.5 * kRoundedOver, at[i] - at.front(), at.back() - at[i]});
-      if (half <= 0.0) continue;
-      const double area = areaBeside(at, values, i, 1, half) + areaBeside(at, values, i, -1, half);
-      means[i] = values[i] + area / (2.0 * half);
-    }
-    return means;
-  }
-
-  /// Area between a line through values and the one at `i`, to one side, over a time.
-  static double areaBeside(const std::vector<double>& at, const std::vector<double>& values, std::size_t i,
-                           int side, double time) {
-    double area = 0.0;
-    double left = time;
-    for (std::size_t k = i; left > 0.0 && (side > 0 ? k + 1 < at.size() : k > 0);) {
-      const std::size_t next = side > 0 ? k + 1 : k - 1;
-      const double length = std::abs(at[next] - at[k]);
-      const double share = std::min(1.0, left / length);
-      const double reached = values[k] + share * (values[next] - values[k]);
-      area += share * length * (0.5 * (values[k] + reached) - values[i]);
-      left -= length;
-      k = next;
-    }
-    return area;
   }
 
   std::vector<BeadRun> beadRuns() const {
@@ -269,6 +284,21 @@ class RailLeading {
 std::vector<double> railValues(const ArmRail& rail, const std::vector<Station>& stations, RailChoice choice) {
   const RailLeading leading(rail, stations);
   return choice == RailChoice::Steps ? leading.stepping() : leading.following();
+}
+
+std::vector<double> crossRailValues(const ArmRail& rail, const CrossRail& across,
+                                    const std::vector<Station>& stations) {
+  std::vector<RailSpan> allowed;
+  allowed.reserve(stations.size());
+  double level = 0.0;
+  for (const Station& station : stations) {
+    const double aside = wristPlace(rail, station, {rail.in_station, across.in_station}).aside;
+    const double beside = aside / across.aside;
+    const double room = kAsideShare * rail.reach_mm / std::abs(across.aside);
+    if (allowed.empty()) level = std::clamp(beside, across.range.low, across.range.high);
+    allowed.push_back(spanInLimits({beside - room, beside + room}, across.range));
+  }
+  return ledThrough(stations, allowed, level);
 }
 
 }  // namespace lamina

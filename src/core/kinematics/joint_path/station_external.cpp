@@ -62,6 +62,13 @@ void obeyGravity(std::vector<Station>& stations, const KinematicModel& model,
 
 void moveRail(std::vector<Station>& stations, const KinematicModel& model, RailChoice choice) {
   const ArmRail rail = armRail(model);
+  if (choice == RailChoice::Steps && !rail.across.empty())
+    throw InvalidConfig("joints.rail is steps, but a gantry of '" + rail.joint + "' and '" +
+                        rail.across.front().joint + "' carries '" + rail.arm + "'; expected follow or held");
+  for (const CrossRail& across : rail.across) {
+    const std::vector<double> values = crossRailValues(rail, across, stations);
+    for (std::size_t i = 0; i < stations.size(); ++i) stations[i].external.at(across.in_station) = values[i];
+  }
   const std::vector<double> values = railValues(rail, stations, choice);
   for (std::size_t i = 0; i < stations.size(); ++i) stations[i].external.at(rail.in_station) = values[i];
 }

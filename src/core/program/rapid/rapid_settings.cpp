@@ -243,9 +243,6 @@ void requireLevels(const RapidSettings& settings) {
     throw InvalidConfig(
         "rapid.levels is '" + settings.levels +
         "' with rapid.process 'arc'; expected none: values of arcs are those of their weld data");
-  if (settings.has_dry_flag)
-    throw InvalidConfig("rapid.levels is '" + settings.levels +
-                        "' with rapid.dry_flag true; expected false: a dry run would set the outputs");
   for (const RapidLevel& level : levels)
     for (const auto& [key, name] : namesOf(settings))
       if (lowerCase(name) == lowerCase(level.signal))

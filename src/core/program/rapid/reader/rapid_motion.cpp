@@ -51,6 +51,7 @@ class RapidFollower {
 
   void add(const RapidStation& station, StatedMotion& motion) {
     followWays(station.index, motion);
+    comeToPart(motion, station.move.feed_mm_s);
     const Eigen::Isometry3d pose = poseOf(station.move);
     const auto joints = jointsAt(station.move);
     motion.joints.at.push_back(station.at);
@@ -86,6 +87,7 @@ class RapidFollower {
       const auto joints = jointsAt(way.move);
       stated.to = joints.value_or(JointValues());
       if (!joints) stated.fault = "no joints reach the target";
+      stated.feed_mm_s = way.move.feed_mm_s;
     }
     is_far_ = true;
     addWay(motion, std::move(stated));

@@ -108,6 +108,7 @@ struct RapidSource {
   /// Names of statements that switch the process, wait for it, or name its data.
   std::set<std::string> process;
   bool is_conditional = false;  ///< whether what comes next stands under the condition of a dry run
+  bool is_dry = false;          ///< whether it is what a dry run does instead
 };
 
 /// Reads a module and adds it to the source.

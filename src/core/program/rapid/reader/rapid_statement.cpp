@@ -281,7 +281,36 @@ bool takeDryCondition(RapidCursor& cursor, RapidSource& source) {
 }
 
 bool switchesProcess(const RapidStatement& statement) {
-  return statement.action == RapidAction::Set || statement.action == RapidAction::Preparing;
+  return statement.action == RapidAction::Set || statement.action == RapidAction::Level ||
+         statement.action == RapidAction::Preparing;
+}
+
+/// A dry run keeps the triggers that moves name, and nothing else instead of the process.
+void requireOfDryRun(const RapidCursor& cursor, const RapidSource& source, const RapidStatement& statement) {
+  if (statement.action == RapidAction::Level) {
+    const RapidLevelChange& change = source.level_changes[statement.index];
+    if (!change.trigger.empty() && change.value == 0.0) return;
+  }
+  cursor.refuseAt(statement.line,
+                  "found a statement that a dry run runs instead of the process; expected TriggIO that sets "
+                  "an analogue output to 0");
+}
+
+void requireOfProcess(const RapidCursor& cursor, const RapidStatement& statement) {
+  if (switchesProcess(statement)) return;
+  cursor.refuseAt(
+      statement.line,
+      "found a statement that does not start the process under the condition of a dry run; expected "
+      "Set, SetAO, TriggIO, WaitDI or WaitTime");
+}
+
+/// Where a condition goes on with what a dry run does instead, or ends.
+bool takeEndOfCondition(RapidCursor& cursor, RapidSource& source) {
+  if (!source.is_conditional) return false;
+  if (!source.is_dry && cursor.takeWord("else")) return source.is_dry = true;
+  if (!cursor.takeWord("endif")) return false;
+  source.is_conditional = source.is_dry = false;
+  return true;
 }
 
 /// Waits for the tool to stand are the toolpath's.
@@ -296,10 +325,7 @@ void takeWait(RapidCursor& cursor, RapidStatement& statement) {
 }  // namespace
 
 void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure& procedure) {
-  if (source.is_conditional && cursor.takeWord("endif")) {
-    source.is_conditional = false;
-    return;
-  }
+  if (takeEndOfCondition(cursor, source)) return;
   const bool is_condition = !source.is_conditional && cursor.takeWord("if");
   if (is_condition && takeDryCondition(cursor, source)) return;
   RapidStatement statement;
@@ -342,11 +368,8 @@ void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure
     }
   }
   cursor.expect(";");
-  if ((is_condition || source.is_conditional) && !switchesProcess(statement))
-    cursor.refuseAt(
-        statement.line,
-        "found a statement that does not start the process under the condition of a dry run; expected "
-        "Set, WaitDI or WaitTime");
+  if (source.is_dry) return requireOfDryRun(cursor, source, statement);
+  if (is_condition || source.is_conditional) requireOfProcess(cursor, statement);
   if (statement.action != RapidAction::Preparing) procedure.statements.push_back(statement);
 }
 

@@ -20,12 +20,14 @@ constexpr int kWaitDecimals = 3;      // s
 constexpr int kDistanceDecimals = 3;  // mm
 constexpr int kLevelDecimals = 6;
 
+std::string unlessDry() { return "IF NOT " + std::string(kRapidDryFlag) + " "; }
+
 std::string startOfProcess(const RapidSettings& settings) {
   if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
   const std::string start = "WaitDI " + settings.laser_ready_signal + ",high;Set " + settings.wire_signal +
                             ";WaitTime waiting1;Set " + settings.laser_signal + ";WaitTime waiting2;";
   // A laser that is not asked for may never be ready.
-  return settings.has_dry_flag ? "IF NOT " + std::string(kRapidDryFlag) + " THEN " + start + "ENDIF " : start;
+  return settings.has_dry_flag ? unlessDry() + "THEN " + start + "ENDIF " : start;
 }
 
 std::string endOfProcess(const RapidSettings& settings) {
@@ -235,10 +237,26 @@ void RapidLines::appendLevels(const RapidPlace& place, std::string& text) const 
     const std::optional<double> value = changedLevel(next, levels_[k]);
     if (!value) continue;
     const std::string number = trimmedDecimals(*value, kLevelDecimals);
-    text += isFine(place) ? "SetAO " + levels_[k].signal + "," + number + ";"
-                          : "TriggIO " + rapidLevelTrigger(k) + ",0\\Start\\AOp:=" + levels_[k].signal + "," +
-                                number + ";";
+    text += isFine(place) ? levelAtRest(levels_[k], number) : levelOnTheWay(k, number);
   }
+}
+
+std::string RapidLines::levelAtRest(const RapidLevel& level, const std::string& number) const {
+  const std::string statement = "SetAO " + level.signal + "," + number + ";";
+  return isKeptDry(number) ? unlessDry() + statement : statement;
+}
+
+/// The move behind it names the trigger in a dry run too, which then leaves the output off.
+std::string RapidLines::levelOnTheWay(std::size_t level, const std::string& number) const {
+  const std::string trigger =
+      "TriggIO " + rapidLevelTrigger(level) + ",0\\Start\\AOp:=" + levels_[level].signal + ",";
+  const std::string statement = trigger + number + ";";
+  return isKeptDry(number) ? unlessDry() + "THEN " + statement + "ELSE " + trigger + "0;ENDIF " : statement;
+}
+
+/// Whether a dry run leaves out what sets an output to that.
+bool RapidLines::isKeptDry(const std::string& number) const {
+  return settings_.has_dry_flag && number != "0";
 }
 
 /// What stands between two moves, but for arcs, whose moves switch the process.

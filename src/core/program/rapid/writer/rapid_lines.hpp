@@ -68,6 +68,9 @@ class RapidLines {
   std::optional<double> changedLevel(const RapidPlace& place, const RapidLevel& level) const;
   std::vector<std::string> triggersOn(const RapidPlace& place) const;
   void appendLevels(const RapidPlace& place, std::string& text) const;
+  std::string levelAtRest(const RapidLevel& level, const std::string& number) const;
+  std::string levelOnTheWay(std::size_t level, const std::string& number) const;
+  bool isKeptDry(const std::string& number) const;
 
   const Toolpath& toolpath_;
   const RapidPlan& plan_;

@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
+#include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "lamina/kinematics/model/joint_limits.hpp"
 #include "program/backed_off.hpp"
@@ -114,6 +115,7 @@ std::string procedure(std::string_view note, const std::string& name, const std:
 }  // namespace
 
 RapidSettings withArmCell(RapidSettings settings, const KinematicModel& arm) {
+  requireControllerKind(arm.urdf(), "abb", "RAPID");
   if (!settings.declares_cell) return settings;
   const ArmCell cell = armCell(arm);
   if (settings.tool_frame.empty()) settings.tool_frame = frameOf(cell.flange_from_nozzle);

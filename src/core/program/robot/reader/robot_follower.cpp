@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
 #include "program/external_axes.hpp"
@@ -39,12 +40,20 @@ void requireSameCell(const RobotHeadNotes& head, const KinematicModel& arm) {
   requireSameFrame("bed", head.bed, cell.carrier_from_bed, arm);
 }
 
-constexpr double kSameMassKg = 1e-3;    // the last digit of a statement
-constexpr double kSameCentreMm = 2e-3;  // likewise, of each coordinate
+/// A load that the cell file states is what the arm carries, whatever a program has.
+void requireLoadOfCell(const std::string& what, const ToolLoad& load, const KinematicModel& arm) {
+  const std::optional<ToolLoad> expected = controllerCell(arm).load;
+  if (!expected || isSameLoad(load, *expected)) return;
+  throw InvalidProgram(what + " " + shownLoad(load) + "; expected " + shownLoad(*expected) +
+                       ", that of the cell of '" + arm.name() + "'");
+}
 
-std::string shownLoad(double mass_kg, const Point3& centre_mm) {
-  return numberText(mass_kg) + " kg with its centre at (" + numberText(centre_mm.x()) + ", " +
-         numberText(centre_mm.y()) + ", " + numberText(centre_mm.z()) + ") mm";
+/// A program goes on with whatever tool the controller was last told.
+void requireToolStated(const RobotHeadNotes& head, const KinematicModel& arm) {
+  if (head.untold_tool.empty()) return;
+  throw InvalidProgram(head.untold_tool + ": the tip moves before set_tcp; expected set_tcp before it, of " +
+                       shownCellFrame(controllerCell(arm).flange_from_nozzle) + ", the tool of '" +
+                       arm.name() + "'");
 }
 
 /// Statements act on the controller, whatever the notes have.
@@ -55,13 +64,11 @@ void requireStatedTool(const StatedTool& stated, const RobotHeadNotes& head, con
     throw InvalidProgram(stated.place + ": the tool is set to " + shownCellFrame(*tool.flange_from_tip) +
                          "; expected " + shownCellFrame(expected) + ", that of '" + arm.name() + "'");
   if (!tool.mass_kg) return;
-  const bool is_noted = head.load && std::abs(head.load->mass_kg - *tool.mass_kg) <= kSameMassKg &&
-                        (head.load->centre_mm - tool.centre_mm).norm() <= kSameCentreMm;
-  if (is_noted) return;
-  throw InvalidProgram(stated.place + ": the payload is set to " + shownLoad(*tool.mass_kg, tool.centre_mm) +
-                       "; expected " +
-                       (head.load ? shownLoad(head.load->mass_kg, head.load->centre_mm) + ", that of the note"
-                                  : "a note of this load"));
+  const ToolLoad load{*tool.mass_kg, tool.centre_mm};
+  requireLoadOfCell(stated.place + ": the payload is set to", load, arm);
+  if (head.load && isSameLoad(*head.load, load)) return;
+  throw InvalidProgram(stated.place + ": the payload is set to " + shownLoad(load) + "; expected " +
+                       (head.load ? shownLoad(*head.load) + ", that of the note" : "a note of this load"));
 }
 
 /// Follows the moves of a program with the joints of an arm.
@@ -75,6 +82,7 @@ class RobotFollower {
   void add(const AssembledStation& station) {
     const RunMove& move = running_.moves[station.move.index];
     followWays(station.move.index);
+    comeToPart(motion_, move.feed_mm_s);
     Eigen::Isometry3d pose(station.move.orientation);
     pose.translation() = station.move.point;
     const auto joints = jointsAt(pose, move.external, move.line);
@@ -104,6 +112,7 @@ class RobotFollower {
       const auto joints = jointsAt(way.pose, way.external, way.line);
       stated.to = joints.value_or(JointValues());
       if (!joints) stated.fault = kNoSolution;
+      stated.feed_mm_s = way.feed_mm_s;
     }
     is_far_ = true;
     addWay(motion_, std::move(stated));
@@ -139,6 +148,8 @@ StatedMotion robotMotionOf(RobotRunning running, const KinematicModel& arm) {
     throw InvalidProgram(
         "no move of the joints comes to the part; expected one behind a note of an approach");
   requireSameCell(running.head, arm);
+  requireToolStated(running.head, arm);
+  if (running.head.load) requireLoadOfCell("the program's notes have a load of", *running.head.load, arm);
   for (const StatedTool& stated : running.head.stated_tools) requireStatedTool(stated, running.head, arm);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;

@@ -70,8 +70,8 @@ int notedOutput(NoteWords& words) {
   return output;
 }
 
-NotedLoad notedLoad(NoteWords& words) {
-  NotedLoad load;
+ToolLoad notedLoad(NoteWords& words) {
+  ToolLoad load;
   load.mass_kg = boundedNumber(words, kHeaviestTool, "the mass of the tool in kg");
   for (int axis = 0; axis < 3; ++axis)
     load.centre_mm[axis] = boundedNumber(words, kFarthestFrame, "x y z of the tool's centre in mm");
@@ -79,7 +79,7 @@ NotedLoad notedLoad(NoteWords& words) {
 }
 
 /// In words, as a property of the cell that is to be the same.
-std::string loadText(const NotedLoad& load) {
+std::string loadText(const ToolLoad& load) {
   std::string text = "a tool of " + shortestText(load.mass_kg) + " kg with its centre at";
   for (const double each : load.centre_mm) text += " " + shortestText(each);
   return text + " mm";
@@ -104,6 +104,7 @@ class RobotRun {
     file_ = &file.name;
     running_.files.push_back(file.name);
     passage_ = Passage::None;
+    is_tool_stated_ = false;
     for (const ReadStatement& statement : file.statements) {
       line_ = statement.line;
       is_dwelling_ &= std::holds_alternative<ProgramWait>(statement.what);
@@ -204,6 +205,9 @@ class RobotRun {
   }
 
   void add(const TipMove& move) {
+    // Poses over the base are those of the language that has no tools by number.
+    if (move.is_over_base && !is_tool_stated_ && running_.head.untold_tool.empty())
+      running_.head.untold_tool = place();
     const bool is_way_back = passage_ == Passage::Approach && !running_.ways.empty();
     if (passage_ == Passage::Retract || is_way_back) {
       requireOff(passage_ == Passage::Retract ? "a retract" : "an approach");
@@ -225,7 +229,7 @@ class RobotRun {
     StatedEquipment& equipment = running_.equipment;
     if (running_.moves.empty()) equipment.external = move.external;
     equipment.moves_external |= equipment.external != move.external;
-    running_.moves.push_back({move.external, line_, running_.files.size() - 1});
+    running_.moves.push_back({move.external, line_, running_.files.size() - 1, move.feed_mm_s});
   }
 
   Eigen::Isometry3d overBed(const TipMove& move) const {
@@ -240,6 +244,7 @@ class RobotRun {
     way.before = running_.moves.size();
     way.pose = overBed(move);
     way.external = move.external;
+    way.feed_mm_s = move.feed_mm_s;
     way.line = line_;
     running_.ways.push_back(std::move(way));
   }
@@ -286,8 +291,11 @@ class RobotRun {
   }
   void add(const FileCall&) {}
   void add(const ToolStatement& tool) {
-    running_.head.stated_tools.push_back({tool, "'" + *file_ + "' line " + std::to_string(line_)});
+    is_tool_stated_ |= tool.flange_from_tip.has_value();
+    running_.head.stated_tools.push_back({tool, place()});
   }
+
+  std::string place() const { return "'" + *file_ + "' line " + std::to_string(line_); }
 
   PathAssembly assembly_;
   PathNotes notes_;
@@ -296,6 +304,7 @@ class RobotRun {
   std::size_t line_ = 0;
   Passage passage_ = Passage::None;
   ProcessState process_ = ProcessState::Off;
+  bool is_tool_stated_ = false;             ///< by a statement of this file
   bool is_dwelling_ = false;                ///< a note of a dwell comes right before
   bool has_arc_texts_ = false;              ///< notes hold the statements of the arc package
   std::map<int, double> levels_;            ///< as they stand

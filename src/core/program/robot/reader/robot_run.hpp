@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/robot/robot_program_settings.hpp"
 #include "lamina/program/stated_equipment.hpp"
@@ -30,18 +31,15 @@ struct StatedTool {
   std::string place;  ///< file and line, for errors
 };
 
-/// What the flange carries, by a note.
-struct NotedLoad {
-  double mass_kg = 0.0;
-  Point3 centre_mm = Point3::Zero();  ///< over the flange
-};
-
 /// What the notes at the beginning of a program state.
 struct RobotHeadNotes {
   std::optional<Eigen::Isometry3d> tool;  ///< pose of the nozzle over the flange [mm]
   std::optional<Eigen::Isometry3d> bed;   ///< pose of the bed over what carries it [mm]
-  std::optional<NotedLoad> load;
-  std::vector<StatedTool> stated_tools;  ///< of statements besides the notes
+  std::optional<ToolLoad> load;           ///< what the flange carries
+  std::vector<StatedTool> stated_tools;   ///< of statements besides the notes
+  /// Where a program whose language has no tools by number first moves the tip without having stated one;
+  /// empty for nowhere.
+  std::string untold_tool;
   bool is_bed_carried = false;
   int process_output = 1;
   std::vector<RobotLevel> levels;
@@ -53,7 +51,8 @@ struct RobotHeadNotes {
 struct RunMove {
   std::vector<double> external;  ///< [mm, deg]
   std::size_t line = 0;
-  std::size_t file = 0;  ///< index in the files of the program
+  std::size_t file = 0;    ///< index in the files of the program
+  double feed_mm_s = 0.0;  ///< as stated
 };
 
 /// A move of an approach or a retract.
@@ -62,6 +61,7 @@ struct RunWay {
   std::optional<ControllerJoints> joints;                  ///< of a joint move
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< to which a straight move leads [mm, bed]
   std::vector<double> external;                            ///< of a straight move [mm, deg]
+  double feed_mm_s = 0.0;                                  ///< of a straight move
   std::size_t line = 0;
 };
 

@@ -15,6 +15,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
 #include "program/backed_off.hpp"
+#include "program/cell_frame.hpp"
 #include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 #include "toolpath/path_motions.hpp"
@@ -49,6 +50,17 @@ void requireLevels(const Toolpath& toolpath, const std::vector<RobotLevel>& leve
 
 std::string number(double value) { return shortestText(value == 0.0 ? 0.0 : value); }
 
+/// Two loads of one tool: what a controller is told would differ from what the cell is checked with.
+void requireLoadOfCell(const RobotProgramSettings& settings, const ToolLoad& load) {
+  if (settings.tool_mass_kg == 0.0) return;
+  const std::vector<double>& set = settings.tool_centre_of_gravity_mm;
+  const Point3 centre(set[0], set[1], set[2]);
+  if (isSameLoad({settings.tool_mass_kg, centre}, load)) return;
+  throw InvalidConfig("robot_program.tool_mass_kg and tool_centre_of_gravity_mm are " +
+                      shownLoad({settings.tool_mass_kg, centre}) + "; expected 0, or " + shownLoad(load) +
+                      ", that of the cell file's tool");
+}
+
 }  // namespace
 
 RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settings, const ControllerMap& map)
@@ -65,8 +77,9 @@ RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settin
   if (job.robot == nullptr) return;
   stations_.emplace(job.toolpath, job.bed_from_part, job.robot->arm, job.robot->joints);
   cell_ = controllerCell(job.robot->arm);
-  if (settings_.tool_mass_kg > 0.0 || !cell_->load) return;
+  if (!cell_->load) return;
   const Point3& centre = cell_->load->centre_mm;
+  requireLoadOfCell(settings_, *cell_->load);
   settings_.tool_mass_kg = cell_->load->mass_kg;
   settings_.tool_centre_of_gravity_mm = {centre.x(), centre.y(), centre.z()};
 }

@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
+#include "program/robot/writer/controller_settings.hpp"
 #include "program/robot/writer/robot_printer.hpp"
 #include "program/robot/writer/robot_script.hpp"
 
@@ -194,7 +195,7 @@ void requireMemory(const std::vector<RobotFile>& files, const RobotDialect& dial
 }  // namespace
 
 void requireWritable(const RobotProgramRequest& request, const KinematicModel& arm) {
-  const RobotProgramSettings& settings = request.settings;
+  const RobotProgramSettings settings = withArmController(request.settings, request.language, arm);
   const RobotSite site{settings, std::nullopt, controllerMap(request.language, settings),
                        externalAxisKinds(arm)};
   const RobotDialect dialect = robotDialect(request.language, settings);
@@ -204,7 +205,8 @@ void requireWritable(const RobotProgramRequest& request, const KinematicModel& a
 
 std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                                     const RobotProgramRequest& request, const RobotMotion* robot) {
-  const RobotProgramSettings& settings = request.settings;
+  const RobotProgramSettings settings =
+      robot == nullptr ? request.settings : withArmController(request.settings, request.language, robot->arm);
   const RobotDialect dialect = robotDialect(request.language, settings);
   const std::string name = dialect.name(settings.name.empty() ? request.name : settings.name, settings);
   RobotSite site{settings, std::nullopt, controllerMap(request.language, settings), {}};

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "base/strict_yaml.hpp"
+#include "lamina/kinematics/arm/arm_controller.hpp"
+
+namespace lamina {
+
+/// The controller of a cell file's `controller`.
+/// @throws InvalidConfig naming the line
+ArmController armControllerFrom(const StrictYaml& node);
+
+/// The element of a description that states it.
+std::string controllerText(const ArmController& controller);
+
+}  // namespace lamina
