@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "node_plugins.hpp"
 
+#include <dlfcn.h>
 #include <ros/console.h>
 #include <ros/package.h>
 
@@ -17,15 +18,23 @@ namespace {
 
 using PluginLoader = pluginlib::ClassLoader<Plugin>;
 
-/// Entries hold code of the libraries: these are never unloaded.
 PluginLoader& pluginLoader() {
   static PluginLoader& loader = *std::make_unique<PluginLoader>("lamina", "lamina::Plugin").release();
   return loader;
 }
 
+/// Entries hold code of the library to the end of the process, and pluginlib's own loader, which is deleted
+/// before them, would take it away.
+void keepLoaded(const std::string& library) {
+  if (dlopen(library.c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE) == nullptr)
+    throw FileError("plug-in '" + library + "' is not loaded: " + dlerror());
+}
+
 void addEntriesOf(PluginLoader& loader, const std::string& name) {
   try {
-    loader.createUniqueInstance(name)->addEntries();
+    const pluginlib::UniquePtr<Plugin> plugin = loader.createUniqueInstance(name);
+    keepLoaded(loader.getClassLibraryPath(name));
+    plugin->addEntries();
   } catch (const pluginlib::PluginlibException& error) {
     throw FileError("cannot load plug-in '" + name + "': " + error.what());
   } catch (...) {
