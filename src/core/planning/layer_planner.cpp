@@ -378,7 +378,8 @@ class LayerPlanner {
   /// Up to the border of the area.
   void addSolid(const Regions& area, PathRole role, InfillRequest request, const InfillStrategy& strategy) {
     SolidRuns runs = fill_.solid(area, role, std::move(request), strategy);
-    for (const FillPath& run : runs.in_turn) addFill(run, area);
+    const InsideTest inside(area);
+    for (const FillPath& run : runs.in_turn) addFill(run, inside);
     addFills(std::move(runs.any_order), area);
   }
 
@@ -430,7 +431,8 @@ class LayerPlanner {
   /// @param area  over which travels need not be retracted
   void addFills(std::vector<FillPath> runs, const Regions& area, RunOrder order = RunOrder::Shortest) {
     if (leavesDots()) runs = withoutDots(std::move(runs), settings_.bead.width_mm);
-    for (const FillPath& run : inOrder(std::move(runs), order, nozzle_)) addFill(run, area);
+    const InsideTest inside(area);
+    for (const FillPath& run : inOrder(std::move(runs), order, nozzle_)) addFill(run, inside);
   }
 
   /// What a sparse infill leaves open stays so.
@@ -452,8 +454,9 @@ class LayerPlanner {
     return request;
   }
 
-  void addFill(const FillPath& fill, const Regions& area) {
-    addRun(fill, staysInside(area, nozzle_, fill.points.front()) ? TravelOver::Infill : TravelOver::Anything);
+  void addFill(const FillPath& fill, const InsideTest& area) {
+    const bool stays_inside = area.staysInside(nozzle_, fill.points.front());
+    addRun(fill, stays_inside ? TravelOver::Infill : TravelOver::Anything);
   }
 
   void addLoop(Polygon loop, PathRole role) {

@@ -23,6 +23,22 @@ TEST(Nesting, GivesEachHoleToTheRegionDirectlyRoundIt) {
   EXPECT_DOUBLE_EQ(area({(*regions)[2]}), 100.0);
 }
 
+TEST(Nesting, GivesHundredsOfHolesAndIslandsToTheirRegions) {
+  std::vector<Polygon> outlines;
+  outlines.reserve(801);
+  for (int i = 0; i < 400; ++i) {
+    const double x = 4.0 * (i % 20) + 1.0, y = 4.0 * (i / 20) + 1.0;
+    outlines.push_back(reversed(rectangle(x, y, x + 2.0, y + 2.0)));
+    outlines.push_back(rectangle(x + 0.5, y + 0.5, x + 1.5, y + 1.5));
+  }
+  outlines.push_back(rectangle(0, 0, 80, 80));
+  const auto regions = nest(outlines);
+  ASSERT_TRUE(regions);
+  ASSERT_EQ(regions->size(), 401U);
+  EXPECT_EQ(regions->back().holes.size(), 400U);
+  EXPECT_DOUBLE_EQ(area(*regions), 80.0 * 80.0 - 400.0 * 3.0);
+}
+
 TEST(Nesting, OfNothingIsNoRegion) { EXPECT_TRUE(nest({})->empty()); }
 
 TEST(Nesting, RefusesOutlinesThatDoNotAlternate) {

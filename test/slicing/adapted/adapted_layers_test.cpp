@@ -273,6 +273,50 @@ TEST(AdaptedLayers, WallsThatBeginAboveTheBottomAreRefused) {
   EXPECT_THROW(adapted(two, 1.0, settings), Unsliceable);
 }
 
+/// A block of 30 x 10 x 20 mm with a notch from its middle height to its top, 8 mm wide there: its wall
+/// splits at z = 10. Its faces lean by 21.8 degrees.
+Mesh notchedBlock() {
+  const std::vector<Point2> profile = {{0, 0}, {30, 0}, {30, 20}, {19, 20}, {15, 10}, {11, 20}, {0, 20}};
+  const std::vector<Triangle> cap = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 5}, {0, 5, 6}};
+  const auto count = static_cast<std::uint32_t>(profile.size());
+  Mesh mesh;
+  for (const double y : {0.0, 10.0})
+    for (const Point2& point : profile) mesh.vertices.emplace_back(point.x(), y, point.y());
+  for (const Triangle& t : cap) {
+    mesh.triangles.push_back(t);
+    mesh.triangles.push_back({t[0] + count, t[2] + count, t[1] + count});
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t j = (i + 1) % count;
+    mesh.triangles.push_back({i, i + count, j + count});
+    mesh.triangles.push_back({i, j + count, j});
+  }
+  return mesh;
+}
+
+void expectRefusalNaming(const Mesh& mesh, const std::string& words) {
+  try {
+    adapted(mesh, 0.5);
+    FAIL() << "no refusal";
+  } catch (const Unsliceable& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_FALSE(error.region().triangles.empty());
+  }
+}
+
+TEST(AdaptedLayers, AWallThatSplitsIsRefusedWithTheHeight) {
+  const Mesh block = notchedBlock();
+  ASSERT_DOUBLE_EQ(volume(block), 10.0 * (30.0 * 20.0 - 0.5 * 8.0 * 10.0));
+  expectRefusalNaming(block,
+                      "a wall splits or begins between z = 9.500 mm (1 loop) and z = 10.000 mm (2 loops)");
+}
+
+TEST(AdaptedLayers, WallsThatMergeAreRefusedWithTheHeight) {
+  Mesh block = notchedBlock();
+  for (Point3& vertex : block.vertices) vertex = Point3(30.0 - vertex.x(), vertex.y(), 20.0 - vertex.z());
+  expectRefusalNaming(block, "walls merge or end between z = 9.500 mm (2 loops) and z = 10.000 mm (1 loop)");
+}
+
 TEST(AdaptedLayers, WallsThatLeaveEachOtherBehindAreRefusedWithThePlace) {
   // A flat face beside a cone that leans: the corner between them gets too steep for a layer.
   try {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "lamina/base/angle.hpp"
@@ -258,6 +259,15 @@ TEST(VolumetricLayers, RefuseWhatHangsLowerThanGrowthComes) {
       test::lyingPrism({{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
   const std::string refusal = refusalOf(hook);
   EXPECT_NE(refusal.find("hang lower than growth comes"), std::string::npos) << refusal;
+  // The tip of the hook: 6 x 6 x 12 mm of it look down at z = 8, from x = 18 to 24.
+  EXPECT_NE(refusal.find("volumetric.largest_pendant_percent"), std::string::npos) << refusal;
+  double x = 0.0, z = 0.0;
+  const std::size_t at = refusal.find("the lowest at (");
+  ASSERT_NE(at, std::string::npos) << refusal;
+  ASSERT_EQ(std::sscanf(refusal.c_str() + at, "the lowest at (%lf, %*f, %lf) mm", &x, &z), 2) << refusal;
+  EXPECT_GT(x, 18.0);
+  EXPECT_LT(x, 24.0);
+  EXPECT_NEAR(z, 8.0, 0.5);
 }
 
 TEST(VolumetricLayers, RefuseWhatStaysUnsupported) {
@@ -268,7 +278,37 @@ TEST(VolumetricLayers, RefuseWhatStaysUnsupported) {
   request.settings.largest_pendant_percent = 100.0;
   request.settings.largest_unsupported_percent = 1.0;
   const std::string refusal = refusalOf(test::openingFrustum(50.0, 6.0), request);
-  EXPECT_NE(refusal.find("overhang by more than"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("overhang by more than 20 deg"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("most of it at ("), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("expected at most 1 %"), std::string::npos) << refusal;
+}
+
+TEST(VolumetricLayers, RefuseMeshesThatHoldNothing) {
+  try {
+    grownLayers(test::turnedInsideOut(test::boxBetween({0, 0, 0}, {4, 4, 4})));
+    FAIL() << "no refusal";
+  } catch (const InvalidMesh& error) {
+    EXPECT_STREQ(error.what(), "the mesh holds -64 mm³; expected a positive volume");
+  }
+}
+
+TEST(VolumetricLayers, RefuseMoreCellsThanMemoryHas) {
+  try {
+    grownLayers(test::boxBetween({0, 0, 0}, {100, 100, 100}), usualRequest(0.05));
+    FAIL() << "no refusal";
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("fill the part's box by 8000000000; expected at most"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(VolumetricLayers, RefusePartsWithoutRoomForABead) {
+  VolumetricRequest request = usualRequest(0.05);
+  request.bead_mm = 2.0;
+  EXPECT_NE(
+      refusalOf(test::boxBetween({0, 0, 0}, {1, 1, 4}), request).find("expected at least a bead's square, 4"),
+      std::string::npos);
 }
 
 TEST(VolumetricLayers, RefuseOpenMeshes) {

@@ -42,6 +42,16 @@ std::optional<Line> shortened(const Point2& from, const Point2& to) {
   return Line{from + inset, to - inset};
 }
 
+Box2 boxRound(const Polygon& outline) {
+  Box2 box;
+  for (const Point2& point : outline) box.include(point);
+  return {box.low - Point2::Constant(kBoxMargin), box.high + Point2::Constant(kBoxMargin)};
+}
+
+bool holds(const Box2& box, const Point2& point) {
+  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
+}
+
 bool isWithin(const Region& around, const Line& line) {
   if (line.isCrossedBy(around.outer)) return false;
   return std::none_of(around.holes.begin(), around.holes.end(),
@@ -64,22 +74,36 @@ bool staysInside(const Regions& regions, const Point2& from, const Point2& to) {
 InsideTest::InsideTest(const Regions& regions) : regions_(regions) {
   boxes_.reserve(regions.size());
   for (const Region& region : regions) {
-    Box2 box;
-    for (const Point2& point : region.outer) box.include(point);
-    boxes_.push_back({box.low - Point2::Constant(kBoxMargin), box.high + Point2::Constant(kBoxMargin)});
+    Boxes& boxes = boxes_.emplace_back();
+    boxes.outer = boxRound(region.outer);
+    boxes.holes.reserve(region.holes.size());
+    for (const Polygon& hole : region.holes) boxes.holes.push_back(boxRound(hole));
   }
+}
+
+bool InsideTest::isInside(std::size_t region, const Point2& point) const {
+  if (!holds(boxes_[region].outer, point) || !encloses(regions_[region].outer, point)) return false;
+  const std::vector<Polygon>& holes = regions_[region].holes;
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    if (holds(boxes_[region].holes[i], point) && encloses(holes[i], point)) return false;
+  return true;
 }
 
 bool InsideTest::staysInside(const Point2& from, const Point2& to) const {
   const std::optional<Line> line = shortened(from, to);
   if (!line) return true;
-  for (std::size_t i = 0; i < regions_.size(); ++i) {
-    const Box2& box = boxes_[i];
-    if ((line->from.array() < box.low.array()).any() || (line->from.array() > box.high.array()).any())
-      continue;
-    if (isInside(regions_[i], line->from)) return isWithin(regions_[i], *line);
+  std::size_t around = 0;
+  while (around < regions_.size() && !isInside(around, line->from)) ++around;
+  if (around == regions_.size() || line->isCrossedBy(regions_[around].outer)) return false;
+  const Point2 low = from.cwiseMin(to);
+  const Point2 high = from.cwiseMax(to);
+  const std::vector<Polygon>& holes = regions_[around].holes;
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const Box2& box = boxes_[around].holes[i];
+    const bool is_beside = (high.array() < box.low.array()).any() || (low.array() > box.high.array()).any();
+    if (!is_beside && line->isCrossedBy(holes[i])) return false;
   }
-  return false;
+  return true;
 }
 
 }  // namespace lamina

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -13,7 +14,7 @@ namespace lamina {
 bool staysInside(const Regions& regions, const Point2& from, const Point2& to);
 
 /// Tests many lines in the same regions (`staysInside`). Only regions in whose bounding box a line begins are
-/// examined.
+/// examined, and only those of their holes whose bounding box the line enters.
 class InsideTest {
  public:
   /// @param regions  must outlive the object
@@ -22,8 +23,15 @@ class InsideTest {
   bool staysInside(const Point2& from, const Point2& to) const;
 
  private:
+  struct Boxes {
+    Box2 outer;
+    std::vector<Box2> holes;
+  };
+
+  bool isInside(std::size_t region, const Point2& point) const;
+
   const Regions& regions_;
-  std::vector<Box2> boxes_;  ///< bounding box of each region
+  std::vector<Boxes> boxes_;  ///< of each region, a little wider than its outlines
 };
 
 }  // namespace lamina

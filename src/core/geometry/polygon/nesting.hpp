@@ -10,8 +10,7 @@
 namespace lamina {
 
 /// The regions bounded by outlines that are simple and do not meet: each counter-clockwise outline with the
-/// clockwise ones directly inside it. Nothing if the winding number of a point is neither zero nor one, or if
-/// outlines are so many that comparing all pairs would take long.
+/// clockwise ones directly inside it. Nothing if the winding number of a point is neither zero nor one.
 std::optional<Regions> nest(std::vector<Polygon> outlines);
 
 }  // namespace lamina

@@ -15,6 +15,7 @@
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "geometry/polygon/nesting.hpp"
 #include "geometry/polygon/outline_crossings.hpp"
+#include "geometry/polygon/path_nesting.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
 #include "geometry/polygon/raw_offset.hpp"
 #include "lamina/base/error.hpp"
@@ -43,9 +44,7 @@ Regions combine(const Regions& a, const Regions& b, ClipperLib::ClipType operati
   ClipperLib::Clipper clipper;
   add(clipper, a, ClipperLib::ptSubject);
   add(clipper, b, ClipperLib::ptClip);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(operation, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return fromTree(tree);
+  return executed(clipper, operation, ClipperLib::pftNonZero);
 }
 
 Regions offsetRound(const Regions& regions, double delta_mm) {
@@ -79,9 +78,7 @@ Regions offsetMitred(const Regions& regions, double delta_mm) {
   }
   ClipperLib::Clipper clipper;
   for (const Polygon& outline : moved) clipper.AddPath(toUnits(outline), ClipperLib::ptSubject, true);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
-  return fromTree(tree);
+  return executed(clipper, ClipperLib::ctUnion, ClipperLib::pftPositive);
 }
 
 /// Narrower than its corners are rounded. Outlines that double back in a shrinking needle leave such ones, on
@@ -131,9 +128,7 @@ Regions unite(const std::vector<Polygon>& polygons) {
   }
   ClipperLib::Clipper clipper;
   for (const Polygon& polygon : polygons) clipper.AddPath(toUnits(polygon), ClipperLib::ptSubject, true);
-  ClipperLib::PolyTree tree;
-  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  return fromTree(tree);
+  return executed(clipper, ClipperLib::ctUnion, ClipperLib::pftNonZero);
 }
 
 Regions offset(const Regions& regions, double delta_mm, Join join) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "geometry/polygon/one_side.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 /// Pairs of edges looked at, per edge, before giving up.
 constexpr std::size_t kMostPairs = 64;
+/// Edges for each column of the sweep squared: a plate with n times the holes has about sqrt(n) times the
+/// columns, so that as many edges as before are looked at for each.
+constexpr double kEdgesPerColumn = 512.0;
 
 struct Edge {
   Point2 from;
@@ -49,19 +53,41 @@ class Sweep {
     from_below_.reserve(count);
     for (std::uint32_t i = 0; i < outlines.size(); ++i) addEdges(i);
     std::sort(from_below_.begin(), from_below_.end());
+    divide();
   }
 
   bool run() {
     std::size_t pairs_left = kMostPairs * edges_.size();
     for (const auto& [low_y, edge] : from_below_) {
-      if (pairs_left < active_.size() || !standsApart(edge, low_y)) return false;
-      pairs_left -= active_.size();
-      active_.push_back(activeEdge(edge));
+      const ActiveEdge entering = activeEdge(edge);
+      const std::size_t last = columnOf(entering.high_x);
+      for (std::size_t column = columnOf(entering.low_x); column <= last; ++column) {
+        std::vector<ActiveEdge>& active = columns_[column];
+        if (pairs_left < active.size() || !standsApart(entering, low_y, active)) return false;
+        pairs_left -= active.size();
+        active.push_back(entering);
+      }
     }
     return true;
   }
 
  private:
+  /// Into columns of equal width, which each hold the edges that reach them.
+  void divide() {
+    double high_x = -low_x_;
+    for (const Edge& edge : edges_) {
+      low_x_ = std::min({low_x_, edge.from.x(), edge.to.x()});
+      high_x = std::max({high_x, edge.from.x(), edge.to.x()});
+    }
+    const double count = std::max(1.0, std::sqrt(static_cast<double>(edges_.size()) / kEdgesPerColumn));
+    columns_.resize(static_cast<std::size_t>(count));
+    if (high_x > low_x_) columns_per_mm_ = static_cast<double>(columns_.size()) / (high_x - low_x_);
+  }
+
+  std::size_t columnOf(double x) const {
+    return std::min(columns_.size() - 1, static_cast<std::size_t>((x - low_x_) * columns_per_mm_));
+  }
+
   void addEdges(std::uint32_t outline) {
     const Polygon& points = outlines_[outline];
     for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -77,17 +103,16 @@ class Sweep {
     return {low_x, high_x, std::max(edges_[edge].from.y(), edges_[edge].to.y()), edge};
   }
 
-  /// From all edges that reach up to its lower end; those that do not are let go.
-  bool standsApart(std::uint32_t edge, double low_y) {
-    const auto [low_x, high_x] = std::minmax(edges_[edge].from.x(), edges_[edge].to.x());
+  /// From all edges of a column that reach up to its lower end; those that do not are let go.
+  bool standsApart(const ActiveEdge& entering, double low_y, std::vector<ActiveEdge>& active) const {
     std::size_t kept = 0;
-    for (const ActiveEdge& other : active_) {
+    for (const ActiveEdge& other : active) {
       if (other.high_y < low_y) continue;
-      active_[kept++] = other;
-      const bool is_beside = other.high_x < low_x || high_x < other.low_x;
-      if (!is_beside && !pairIsApart(edges_[other.edge], edges_[edge])) return false;
+      active[kept++] = other;
+      const bool is_beside = other.high_x < entering.low_x || entering.high_x < other.low_x;
+      if (!is_beside && !pairIsApart(edges_[other.edge], edges_[entering.edge])) return false;
     }
-    active_.resize(kept);
+    active.resize(kept);
     return true;
   }
 
@@ -103,7 +128,9 @@ class Sweep {
   const std::vector<Polygon>& outlines_;
   std::vector<Edge> edges_;
   std::vector<std::pair<double, std::uint32_t>> from_below_;  ///< lower ends, and edges
-  std::vector<ActiveEdge> active_;
+  double low_x_ = std::numeric_limits<double>::infinity();
+  double columns_per_mm_ = 0.0;
+  std::vector<std::vector<ActiveEdge>> columns_;
 };
 
 }  // namespace

@@ -175,7 +175,12 @@ Point2 LoopGraph::pointOf(const End& end) const {
 }
 
 bool LoopGraph::isLinkCrossedBy(const Point2& from, const Point2& to) const {
+  const Point2 low = from.cwiseMin(to);
+  const Point2 high = from.cwiseMax(to);
   return std::any_of(links_.begin(), links_.end(), [&](const std::array<Point2, 2>& link) {
+    if (std::max(link[0].x(), link[1].x()) < low.x() || std::min(link[0].x(), link[1].x()) > high.x() ||
+        std::max(link[0].y(), link[1].y()) < low.y() || std::min(link[0].y(), link[1].y()) > high.y())
+      return false;
     return areCrossing(link[0], link[1], from, to);
   });
 }

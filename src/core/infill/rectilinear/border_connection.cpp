@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/spatial/edge_grid.hpp"
+
 namespace lamina {
 namespace {
 
@@ -27,34 +29,21 @@ class MeasuredOutline {
   explicit MeasuredOutline(Polygon points) : points_(std::move(points)), along_(points_.size() + 1, 0.0) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       along_[i + 1] = along_[i] + (pointAfter(i) - points_[i]).norm();
-    for (const Point2& point : points_) box_.include(point);
-  }
-
-  /// Whether no point of it can be as near as that.
-  bool isFartherThan(double distance_mm, const Point2& point) const {
-    const Point2 beyond = (box_.low - point).cwiseMax(point - box_.high).cwiseMax(Point2::Zero());
-    return beyond.norm() > distance_mm + kRounding;
   }
 
   double length() const { return along_.back(); }
   std::size_t size() const { return points_.size(); }
   const Point2& point(std::size_t i) const { return points_[i]; }
 
-  /// The point nearest to `point`, and its distance.
-  std::pair<BorderPlace, double> nearest(const Point2& point) const {
-    BorderPlace place;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Point2 edge = pointAfter(i) - points_[i];
-      const double square = edge.squaredNorm();
-      const double t = square > 0.0 ? std::clamp((point - points_[i]).dot(edge) / square, 0.0, 1.0) : 0.0;
-      const Point2 foot = points_[i] + t * edge;
-      const double distance = (foot - point).norm();
-      if (distance >= least) continue;
-      least = distance;
-      place = {0, i, along_[i] + t * std::sqrt(square), foot};
-    }
-    return {place, least};
+  std::pair<Point2, Point2> edge(std::size_t i) const { return {points_[i], pointAfter(i)}; }
+
+  /// The point of an edge nearest to `point`, and its distance.
+  std::pair<BorderPlace, double> nearestOn(std::size_t i, const Point2& point) const {
+    const Point2 edge = pointAfter(i) - points_[i];
+    const double square = edge.squaredNorm();
+    const double t = square > 0.0 ? std::clamp((point - points_[i]).dot(edge) / square, 0.0, 1.0) : 0.0;
+    const Point2 foot = points_[i] + t * edge;
+    return {{0, i, along_[i] + t * std::sqrt(square), foot}, (foot - point).norm()};
   }
 
   /// The outline's points on the way onward from one place to the other, both places included.
@@ -73,12 +62,8 @@ class MeasuredOutline {
  private:
   const Point2& pointAfter(std::size_t i) const { return points_[i + 1 < points_.size() ? i + 1 : 0]; }
 
-  /// The foot on an edge of the box may come out beyond it [mm].
-  static constexpr double kRounding = 1e-6;
-
   Polygon points_;
   std::vector<double> along_;
-  Box2 box_;
 };
 
 /// A way along the border to an end of another run.
@@ -99,6 +84,7 @@ class BorderWays {
   BorderWays(const std::vector<FillPath>& runs, const Regions& border, double reach) {
     for (Polygon& outline : outlines(border))
       if (!outline.empty()) outlines_.emplace_back(std::move(outline));
+    addEdges();
     places_.resize(runs.size());
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (canBeJoined(runs[i]))
@@ -143,21 +129,52 @@ class BorderWays {
     return way;
   }
 
+  struct BorderEdge {
+    std::size_t outline = 0;
+    std::size_t edge = 0;
+  };
+
+  void addEdges() {
+    std::vector<std::pair<Point2, Point2>> ends;
+    for (std::size_t i = 0; i < outlines_.size(); ++i)
+      for (std::size_t k = 0; k < outlines_[i].size(); ++k) {
+        edges_.push_back({i, k});
+        ends.push_back(outlines_[i].edge(k));
+      }
+    grid_ = EdgeGrid(ends);
+  }
+
+  /// The edges that may lie within reach, in their order round each outline.
+  std::vector<std::size_t> edgesNear(const Point2& point, double reach) const {
+    const Point2 around = Point2::Constant(reach + kRounding);
+    std::vector<std::size_t> near;
+    grid_.forEdgesNear({point - around, point + around}, [&](std::size_t edge) { near.push_back(edge); });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
+  }
+
+  /// Of edges of one outline that are equally near, the first; of outlines, the last.
   std::optional<BorderPlace> placeNear(const Point2& point, double reach) const {
     std::optional<BorderPlace> found;
     double least = reach;
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (outlines_[i].isFartherThan(least, point)) continue;
-      auto [place, distance] = outlines_[i].nearest(point);
-      if (distance > least) continue;
+    for (const std::size_t near : edgesNear(point, reach)) {
+      const BorderEdge& each = edges_[near];
+      auto [place, distance] = outlines_[each.outline].nearestOn(each.edge, point);
+      const bool is_same_outline = found && found->outline == each.outline;
+      if (distance > least || (is_same_outline && distance == least)) continue;
       least = distance;
-      place.outline = i;
+      place.outline = each.outline;
       found = place;
     }
     return found;
   }
 
+  static constexpr double kRounding = 1e-6;  // mm
+
   std::vector<MeasuredOutline> outlines_;
+  std::vector<BorderEdge> edges_;
+  EdgeGrid grid_;
   std::vector<RunPlaces> places_;
 };
 

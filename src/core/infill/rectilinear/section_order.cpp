@@ -3,7 +3,12 @@
 #include "infill/rectilinear/section_order.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+
+#include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
 namespace {
@@ -24,6 +29,19 @@ Point2 midpointAt(const BoustrophedonCell& section, SectionEntry entry) {
 /// that.
 SectionEntry documentedEntry(const BoustrophedonCell& section, bool is_from_last) {
   return is_from_last ? exitOf(section, SectionEntry::FirstLeft) : SectionEntry::FirstLeft;
+}
+
+/// The ends of all sections, those of a section after each other in the order of the entries.
+PointGrid gridOfEnds(const std::vector<BoustrophedonCell>& sections) {
+  if (sections.empty()) return PointGrid({Point2::Zero(), Point2::Zero()}, 1.0);
+  Box2 box;
+  for (const BoustrophedonCell& section : sections)
+    for (const SectionEntry entry : kEntries) box.include(entryPoint(section, entry));
+  const double across = std::max(1.0, (box.high - box.low).maxCoeff());
+  PointGrid grid(box, across / std::sqrt(static_cast<double>(sections.size() + 1)));
+  for (const BoustrophedonCell& section : sections)
+    for (const SectionEntry entry : kEntries) grid.insert(entryPoint(section, entry));
+  return grid;
 }
 
 }  // namespace
@@ -78,22 +96,14 @@ SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections) {
 
 SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start) {
   SectionTour tour;
-  std::vector<bool> is_done(sections.size(), false);
+  tour.reserve(sections.size());
+  PointGrid ends = gridOfEnds(sections);
   Point2 from = start;
-  while (tour.size() < sections.size()) {
-    SectionVisit next;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-      if (is_done[i]) continue;
-      for (const SectionEntry entry : kEntries) {
-        const double distance = (entryPoint(sections[i], entry) - from).norm();
-        if (distance >= nearest) continue;
-        nearest = distance;
-        next = {i, entry};
-      }
-    }
+  while (const std::optional<std::uint32_t> nearest = ends.nearest(from)) {
+    const SectionVisit next{*nearest / kEntries.size(), kEntries[*nearest % kEntries.size()]};
     tour.push_back(next);
-    is_done[next.section] = true;
+    const std::size_t first = next.section * kEntries.size();
+    for (std::size_t i = 0; i < kEntries.size(); ++i) ends.remove(static_cast<std::uint32_t>(first + i));
     const BoustrophedonCell& section = sections[next.section];
     from = entryPoint(section, exitOf(section, next.entry));
   }

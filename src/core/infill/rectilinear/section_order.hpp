@@ -47,7 +47,6 @@ SectionTour tourAsGiven(const std::vector<BoustrophedonCell>& sections);
 SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections);
 
 /// Greedy tour by ends: from `start` on, it always continues at the nearest end of a first or last line.
-/// Takes quadratic time.
 SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 /// `tourByEnds`, improved as long as a move shortens the way from `start`: reversing a stretch (2-opt) or

@@ -80,6 +80,14 @@ std::vector<std::size_t> wallsOf(const std::vector<Polygon>& loops, const std::v
   return walls;
 }
 
+std::string loopsText(std::size_t count) { return std::to_string(count) + (count == 1 ? " loop" : " loops"); }
+
+/// What becomes of the walls from one height to the next, where they are not the same one by one.
+std::string changeBetween(std::size_t below, std::size_t above) {
+  if (above > below) return "a wall splits or begins";
+  return above < below ? "walls merge or end" : "walls change places";
+}
+
 /// The loops of each height in the order of the walls they belong to.
 std::vector<std::vector<Polygon>> loopsByWall(const Mesh& mesh, std::vector<Section> sections,
                                               const std::vector<double>& heights) {
@@ -97,9 +105,9 @@ std::vector<std::vector<Polygon>> loopsByWall(const Mesh& mesh, std::vector<Sect
     }
     const std::vector<std::size_t> walls = wallsOf(loops, ordered.back());
     if (walls.empty())
-      throw Unsliceable("walls split, merge, begin or end between z = " + inMm(heights[k - 1]) + " (" +
-                            std::to_string(ordered.back().size()) + " loops) and z = " + inMm(heights[k]) +
-                            " (" + std::to_string(loops.size()) +
+      throw Unsliceable(changeBetween(ordered.back().size(), loops.size()) +
+                            " between z = " + inMm(heights[k - 1]) + " (" + loopsText(ordered.back().size()) +
+                            ") and z = " + inMm(heights[k]) + " (" + loopsText(loops.size()) +
                             "); adapted layers need walls that go from the bottom to the top one by one",
                         facesBetween(mesh, heights[k - 1], heights[k]));
     std::vector<Polygon> in_order(loops.size());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "lamina/base/error.hpp"
@@ -83,19 +84,26 @@ std::uint64_t bitsOfCell(const VoxelGrid& grid, const std::array<int, 3>& cell, 
   return bits;
 }
 
+void requireFew(double cells, double cell_mm) {
+  if (cells <= static_cast<double>(kMostCells)) return;
+  char count[40];
+  std::snprintf(count, sizeof count, "%.0f", cells);
+  throw InvalidInput("cells of " + numberText(cell_mm) + " mm fill the part's box by " + count +
+                     "; expected at most " + std::to_string(kMostCells) + ": larger ones");
+}
+
 }  // namespace
 
 CellGraph::CellGraph(const Mesh& mesh, double cell_mm, double floor_mm, Progress& progress) {
+  // Before the part is divided into them, which takes minutes for so many.
+  if (!mesh.vertices.empty()) requireFew((boundingBox(mesh).size() / cell_mm).prod(), cell_mm);
   const VoxelGrid grid = voxelisedMesh(mesh, cell_mm / kBits, progress);
   const VoxelFrame& fine = grid.frame();
   frame_.voxel_mm = cell_mm;
   frame_.corner = fine.corner - Point3::Constant(cell_mm);
   for (std::size_t axis = 0; axis < 3; ++axis)
     frame_.count[axis] = (fine.count[axis] + kBits - 1) / kBits + 2;
-  if (frame_.voxelCount() > kMostCells)
-    throw InvalidInput("cells of " + numberText(cell_mm) + " mm fill the part's box by " +
-                       std::to_string(frame_.voxelCount()) + "; expected at most " +
-                       std::to_string(kMostCells) + ": larger ones");
+  requireFew(static_cast<double>(frame_.voxelCount()), cell_mm);
   const double below = (floor_mm - fine.corner.z()) / fine.voxel_mm - 0.5;
   addNodes(grid, std::max(0, static_cast<int>(std::ceil(below))), progress);
   link(progress);
