@@ -165,6 +165,28 @@ TEST(ProfileSensor, DriftsByTheHourAndStampsLate) {
   EXPECT_NEAR(std::sqrt(squares), 0.001, 0.00005);
 }
 
+/// Knocked 1 mm along its line and 0.5 mm up its beam, it shows a plate 0.5 mm farther away, and a step at
+/// x = 55 at 54.
+TEST(ProfileSensor, ShowsTheWorldShiftedOnceItHasMoved) {
+  ProfileSensorSettings settings = quiet();
+  settings.moved_mm = {1.0, 0.0, -0.5};
+  settings.moved_at_s = 100.0;
+  EXPECT_EQ(ofPlate(settings, 99.0).front(), ofPlate(quiet(), 99.0).front());
+  EXPECT_NEAR(ofPlate(settings, 100.0).front().z(), kStandOff + 0.5, 1e-9);
+  HeightMap step = plate(3.0);
+  for (std::size_t cell = 0; cell < step.grid().cellCount(); ++cell)
+    if (step.grid().centre(cell).x() > 55.0) step.set(cell, 4.0);
+  const auto edgeAt = [&](double now_s) {
+    const Eigen::Isometry3d pose = lookingDown({50, 50, 3.0 + kStandOff});
+    const auto points = ProfileSensor(settings).measure(step, pose, 4.0, now_s);
+    for (const Point3& point : points)
+      if (point.z() < points.front().z() - 0.5) return (pose * point).x();
+    return 0.0;
+  };
+  EXPECT_NEAR(edgeAt(0.0), 55.0, 0.11);
+  EXPECT_NEAR(edgeAt(200.0), 54.0, 0.11);
+}
+
 TEST(ProfileSensor, RefusesARangeThatStartsBehindIt) {
   ProfileSensorSettings settings;
   settings.range_mm = 130.0;

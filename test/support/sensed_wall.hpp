@@ -48,6 +48,9 @@ struct SensedWallCase {
   int scans = 1;                                             ///< passes over the wall, odd
   double scan_margin_mm = 0.0;                               ///< beyond both of its ends
   double lag_s = 0.05;
+  bool sees_bed = false;  ///< beside the wall and beyond its ends, 12 mm to either side
+  /// How far off its place the sensor shows a layer: along, beside and up [mm].
+  std::function<Point3(std::size_t layer)> shows_off = {};
   /// Growth over `growth`, by the number of the layer deposited; 1 where empty.
   std::function<double(std::size_t layer, double along_mm)> grows = {};
   /// What befalls the wall once a layer is deposited: heights 1 mm apart.
@@ -266,13 +269,17 @@ class SensedWallPrinter {
     cloud.bed_from_sensor = sensorOver(tip);
     cloud.profiles.emplace_back();
     const double lag_mm = does == SensorDoes::LagBehind ? wall_.lag_s * speed_mm_s_ : 0.0;
-    double top = topAt(tip.x() - lag_mm);
+    const Point3 off = wall_.shows_off ? wall_.shows_off(deposited_) : Point3::Zero();
+    double top = topAt(tip.x() - lag_mm - off.x());
     if (does == SensorDoes::Scatter) top += random_.uniform(-1.0, 1.0) * wall_.layer_mm;
-    for (int i = -20; i <= 20; ++i) {
+    const int side = wall_.sees_bed ? 120 : 20;
+    for (int i = -side; i <= side; ++i) {
       const double y = 0.1 * i;
       double depth = std::numeric_limits<double>::quiet_NaN();
-      if (std::abs(y) < 0.5 * wall_.width_mm)
-        depth = tip.z() + 60.0 - top + random_.normal(0.0, wall_.noise_mm);
+      const bool is_on_wall = std::abs(y - off.y()) < 0.5 * wall_.width_mm;
+      const double seen = wall_.sees_bed && !(is_on_wall && std::isfinite(top)) ? 0.0 : top;
+      if (is_on_wall || wall_.sees_bed)
+        depth = tip.z() + 60.0 - (seen + off.z()) + random_.normal(0.0, wall_.noise_mm);
       if (does == SensorDoes::SayNothing) depth = std::numeric_limits<double>::quiet_NaN();
       if (does == SensorDoes::SayTheSame) depth = 65.0;
       cloud.profiles[0].emplace_back(y, 0.0, depth);

@@ -136,6 +136,8 @@ class HeightLoop {
 
   const LayerCells& cells() const { return cells_; }
   const std::vector<CellEstimate>& estimates() const { return estimates_; }
+  /// Planned less expected height of each cell [mm], before any cloud of the layer.
+  const std::vector<double>& errorsBeforeClouds() const { return before_clouds_.error_mm; }
   /// The input of the law: error and gain of each cell. Unknown cells have those of the nearest known cell of
   /// their path within two standard deviations of the low-pass, or else the mean known error.
   LayerKnowledge knowledge() const;

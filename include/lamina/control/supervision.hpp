@@ -19,7 +19,7 @@ enum class LoopAlarm : std::uint16_t {
   NoTransform = 6102,   ///< clouds, but no pose of the nozzle at their time stamps
   Stuck = 6103,         ///< profiles without finite points, or all the same
   Contested = 6104,     ///< too many readings contested and not believed
-  TimeOffset = 6105,    ///< the sensor's time offset has moved
+  TimeOffset = 6105,    ///< the sensor's time offset, or the sensor on its mount, has moved
   Inconsistent = 6106,  ///< innovations are larger or smaller than the filter expects
   Step = 6110,          ///< the mean error jumped from one layer to the next
   Deviation = 6111,     ///< too many cells are off by more than the alarm's height
@@ -109,6 +109,7 @@ struct SensorWatch {
   double time_offset_s = 0.0;       ///< observed less calibrated time offset
   double time_offset_sigmas = 0.0;  ///< magnitude of `time_offset_s` in standard deviations
   std::string offset_sensor = {};   ///< name of the sensor that it is that of; empty if it has none
+  std::string moved = {};           ///< how a sensor that has moved shows it; empty if none has
   double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
 

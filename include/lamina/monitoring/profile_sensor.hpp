@@ -32,6 +32,10 @@ struct ProfileSensorSettings {
   double dropout_rate = 0.0;       ///< share of points that are missing
   double bias_mm = 0.0;            ///< added to depths
   double drift_mm_h = 0.0;         ///< added to depths per hour
+  /// Where the sensor is, off where it is thought to be: along its line, across it, along its beam; empty or
+  /// three values.
+  std::vector<double> moved_mm = {};
+  double moved_at_s = 0.0;  ///< time from which on it is there
 };
 
 /// Adds the keys sensor.*.

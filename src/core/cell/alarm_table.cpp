@@ -100,7 +100,7 @@ std::vector<AlarmKind> loopAlarms() {
       {6102, Category::Warning, kCondition, "no pose of the nozzle for clouds", "Look at tf and the clocks."},
       {6103, Category::Warning, kCondition, "height sensor stuck", "Clean the sensor's window."},
       {6104, Category::Warning, kEvent, "points not believed", "Look for spatter, smoke or mirrors."},
-      {6105, Category::Warning, kCondition, "sensor's time offset has moved", "Calibrate the sensor's time."},
+      {6105, Category::Warning, kCondition, "sensor or its time offset has moved", "Calibrate the sensor."},
       {6106, Category::Warning, kEvent, "estimator inconsistent", "Calibrate noise and gain."},
       {6110, Category::Hold, kEvent, "height jumped", "Look at the part: something broke or came off."},
       {6111, Category::Warning, kEvent, "height off in too many places", "Look at the deviation picture."},

@@ -65,6 +65,7 @@ void CellSheet::addPlaneStations() {
                         static_cast<float>(left)});
     }
   }
+  beads_ = StraightBeads(*cells_, index_);
 }
 
 void CellSheet::addBentStations() {
@@ -164,15 +165,19 @@ inline std::optional<CellSight> CellSheet::lookOnPlane(const Point3& at,
                                                        const BoxCells::Numbers& near) const {
   const PlanePlace place = {static_cast<float>(at.x()), static_cast<float>(at.y()), at.z()};
   const Found found = best(near, [&](std::uint32_t cell) { return onPlane(cell, place); });
-  if (!found.isCell()) return std::nullopt;
-  const PlaneStation& station = plane_[found.cell];
+  return found.isCell() ? std::optional<CellSight>(sightOnPlane(found.cell, place)) : std::nullopt;
+}
+
+inline CellSight CellSheet::sightOnPlane(std::uint32_t cell, const PlanePlace& place) const {
+  const PlaneStation& station = plane_[cell];
   const float along_mm = station.along(place);
-  return CellSight{cells_->layer,
-                   found.cell,
-                   static_cast<double>(along_mm),
-                   static_cast<double>(station.across(place, along_mm)),
-                   static_cast<double>(found.on.across),
-                   -heightOnPlane(station, place)};
+  const float across_mm = station.across(place, along_mm);
+  return {cells_->layer,
+          cell,
+          static_cast<double>(along_mm),
+          static_cast<double>(across_mm),
+          static_cast<double>(std::abs(across_mm) / station.width),
+          -heightOnPlane(station, place)};
 }
 
 inline std::optional<CellSight> CellSheet::lookOnBent(const Point3& point,
@@ -203,9 +208,44 @@ inline void CellSheet::fetch(std::uint32_t cell) const {
     __builtin_prefetch(bent_.data() + cell);
 }
 
+/// Of most points a division tells the cell, and that cell is all that is fetched.
+std::vector<std::optional<CellSight>> CellSheet::lookAlongBeads(const std::vector<Point3>& points) const {
+  struct Sought {
+    Point3 place;
+    std::uint32_t square = BoxCells::kNone;
+    std::uint32_t cell = StraightBeads::kNone;
+  };
+  std::vector<Sought> sought(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sought[i].place = index_.placeOf(points[i]);
+    sought[i].square = index_.stations().cellAt(sought[i].place);
+    beads_.fetch(sought[i].square);
+  }
+  for (Sought& each : sought) {
+    each.cell = beads_.cellAt(each.square, each.place);
+    if (each.cell < deposited) __builtin_prefetch(plane_.data() + each.cell);
+  }
+  std::vector<std::optional<CellSight>> sights(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Sought& each = sought[i];
+    if (each.cell == StraightBeads::kNone) continue;
+    const PlanePlace place = {static_cast<float>(each.place.x()), static_cast<float>(each.place.y()),
+                              each.place.z()};
+    // Another cell may reach a point that lies on one not deposited yet, or out of its window.
+    const bool is_on =
+        each.cell < deposited && std::abs(heightOnPlane(plane_[each.cell], place)) <= windowOf(each.cell);
+    if (is_on)
+      sights[i] = sightOnPlane(each.cell, place);
+    else
+      sights[i] = lookOnPlane(each.place, index_.stations().in(each.square));
+  }
+  return sights;
+}
+
 /// Neighbours of a profile lie on different beads, far apart in memory: waiting for each would take longer
 /// than all the rest.
 std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>& points) const {
+  if (beads_.bytes() > 0) return lookAlongBeads(points);
   struct Sought {
     Point3 place;
     std::uint32_t square = BoxCells::kNone;
@@ -234,7 +274,7 @@ std::vector<std::optional<CellSight>> CellSheet::look(const std::vector<Point3>&
 }
 
 std::size_t CellSheet::bytes() const {
-  return index_.stations().bytes() + sizeof(PlaneStation) * plane_.capacity() +
+  return index_.stations().bytes() + beads_.bytes() + sizeof(PlaneStation) * plane_.capacity() +
          sizeof(BentStation) * bent_.capacity() + sizeof(float) * window_mm_.capacity();
 }
 

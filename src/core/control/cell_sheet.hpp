@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "control/station_index.hpp"
+#include "control/straight_beads.hpp"
 #include "lamina/control/cell_atlas.hpp"
 
 namespace lamina {
@@ -36,7 +37,7 @@ class CellSheet {
     double z;
   };
   /// A cell of a plane layer, in the axes of the index.
-  struct PlaneStation {
+  struct alignas(32) PlaneStation {  // two a line of the cache
     float u, v;
     float tangent_u, tangent_v;
     float half;  ///< half the cell's length
@@ -86,6 +87,8 @@ class CellSheet {
   Found best(const BoxCells::Numbers& near, CoordinatesOf coordinates) const;
   /// @param at  point in the axes of the index
   std::optional<CellSight> lookOnPlane(const Point3& at, const BoxCells::Numbers& near) const;
+  CellSight sightOnPlane(std::uint32_t cell, const PlanePlace& place) const;
+  std::vector<std::optional<CellSight>> lookAlongBeads(const std::vector<Point3>& points) const;
   std::optional<CellSight> lookOnBent(const Point3& point, const BoxCells::Numbers& near) const;
   void fetch(std::uint32_t cell) const;
 
@@ -95,6 +98,7 @@ class CellSheet {
   double first_top_ = 0.0;        ///< top of the first cell along the normal, of a plane layer
   std::vector<float> window_mm_;  ///< one for each cell, or one for all
   std::vector<PlaneStation> plane_;
+  StraightBeads beads_;
   std::vector<BentStation> bent_;
 };
 

@@ -16,7 +16,6 @@ constexpr double kLeastCosine = 0.5;     // of growth to the plane's normal
 constexpr double kLeastEdge = 1e-3;      // mm
 constexpr double kSameDirection = 1e-9;  // of unit vectors
 constexpr double kGapeReach = 1.53;      // half lengths that a cell reaches where it gapes
-constexpr double kAcross = 0.51;         // bead widths that it reaches
 constexpr double kWithin = 1.0 - 1e-9;   // of it: cells that end on a square's edge do not reach the next
 
 bool growsAlongOne(const LayerCells& cells) {

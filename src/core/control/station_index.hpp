@@ -13,6 +13,8 @@ namespace lamina {
 /// than 60 degrees, cells are indexed by squares in that plane, otherwise by cubes.
 class StationIndex {
  public:
+  static constexpr double kAcross = 0.51;  ///< bead widths that a cell reaches
+
   StationIndex(const LayerCells& cells, double window_layers);
 
   /// Whether all cells have the same growth direction.

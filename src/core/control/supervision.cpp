@@ -208,6 +208,8 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
                                       : "the time offset of sensor '" + watch.offset_sensor + "'") +
              " has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
              value(watch.time_offset_sigmas, "") + " standard deviations; expected 3 at most: calibrate it");
+  else if (!watch.moved.empty())
+    lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset, watch.moved);
   if (watch.map_late_s > 0.0 && watch.map_late_s >= settings.wait_s)
     raise(step, LoopAlarm::MapLate, LoopReaction::Coast,
           "the layer's map is " + value(watch.map_late_s, " s") + " late; expected it within " +

@@ -69,6 +69,13 @@ std::optional<double> firstHit(const HeightSource& surface, const Ray& ray, doub
   return std::nullopt;
 }
 
+/// Where the sensor is that is thought to be at a pose.
+Eigen::Isometry3d movedPose(const Eigen::Isometry3d& thought, const ProfileSensorSettings& settings,
+                            double now_s) {
+  if (settings.moved_mm.size() != 3 || now_s < settings.moved_at_s) return thought;
+  return thought * Eigen::Translation3d(settings.moved_mm[0], settings.moved_mm[1], settings.moved_mm[2]);
+}
+
 bool isChosen(Random& random, double rate) { return rate > 0.0 && random.uniform(0.0, 1.0) < rate; }
 
 }  // namespace
@@ -94,8 +101,9 @@ double ProfileSensor::noise() {
 }
 
 std::vector<Point3> ProfileSensor::measure(const HeightSource& surface,
-                                           const Eigen::Isometry3d& bed_from_sensor, double highest,
+                                           const Eigen::Isometry3d& thought_from_sensor, double highest,
                                            double now_s) {
+  const Eigen::Isometry3d bed_from_sensor = movedPose(thought_from_sensor, settings_, now_s);
   std::vector<Point3> points;
   points.reserve(static_cast<std::size_t>(settings_.points));
   last_noise_mm_.reset();
@@ -148,6 +156,10 @@ void describeDefects(SettingsSchema& schema, ProfileSensorSettings& settings) {
   schema.number("sensor.dropout_rate", settings.dropout_rate, share, "Share of points that are missing.");
   schema.number("sensor.bias_mm", settings.bias_mm, {-100.0, 100.0}, "Added to depths.");
   schema.number("sensor.drift_mm_h", settings.drift_mm_h, {-100.0, 100.0}, "Added to depths per hour.");
+  schema.numbers(
+      "sensor.moved_mm", settings.moved_mm, 3,
+      "Where the sensor is, off where it is thought to be: along its line, across it, along its beam.");
+  schema.number("sensor.moved_at_s", settings.moved_at_s, {0.0, 1e6}, "Time from which on it is there.");
 }
 
 }  // namespace

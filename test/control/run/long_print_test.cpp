@@ -130,6 +130,8 @@ TEST(LongPrint, StaysWithinItsLimitsWhateverGoesWrong) {
     EXPECT_EQ(printed.counts.points.received, printed.counts.points.accounted());
     for (const LayerOutcome& layer : printed.layers)
       EXPECT_TRUE(std::isfinite(layer.figures.rmse_mm)) << layer.figures.layer;
+    for (const RaisedAlarm& alarm : printed.alarms)
+      EXPECT_EQ(alarm.reason.find("has moved on its mount"), std::string::npos) << alarm.reason;
     hours += hoursOf(printed);
     layers += printed.layers.size();
     alarms += printed.alarms.size();

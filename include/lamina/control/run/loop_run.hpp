@@ -18,6 +18,7 @@
 #include "lamina/control/run/loop_run_settings.hpp"
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/missed_map.hpp"
+#include "lamina/control/run/moved_watch.hpp"
 #include "lamina/control/run/offset_watches.hpp"
 #include "lamina/control/run/pose_watches.hpp"
 #include "lamina/control/run/sensor_motion.hpp"
@@ -137,8 +138,8 @@ class LoopRun {
   const LoopStatus& request(LoopRequest request);
 
   /// Sets a new calibration of the sensor, for all that arrives from now on, and checks stability again, with
-  /// the low-pass of this print. A loop that is blocked, or coasts because the time offset has moved, then
-  /// starts as requested. A running loop that does not pass the check is blocked.
+  /// the low-pass of this print. A loop that is blocked, or coasts because a sensor or its time offset has
+  /// moved, then starts as requested. A running loop that does not pass the check is blocked.
   void recalibrate(const CellCalibration& known, LoopRequest request);
 
   /// Adds a pose of the nozzle.
@@ -210,8 +211,10 @@ class LoopRun {
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
   void use(const std::string& sensor, const LayerReading& reading);
-  void watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
+  void watchHeights(const std::string& sensor, const SensorProfile& profile);
   void watchOffset();
+  void watchPlace();
+  void forgetShifts();
   void watch();
   LoopMemory memory(std::size_t layer) const;
   void beginLayer(std::size_t layer);
@@ -273,9 +276,11 @@ class LoopRun {
   std::optional<std::int64_t> cloud_ns_;
   PoseWatches pose_watches_;  ///< by the clouds that came for the layer, placed or not
   SensorWatches sensors_;
-  bool is_distrusted_ = false;  ///< whether a sensor was found to be stuck in the layer under way
+  bool is_distrusted_ = false;  ///< whether a sensor is stuck, or has moved, in the layer under way
   OffsetWatches offset_;
-  SensorOffset offset_left_;                     ///< by the last layer that shows an offset
+  SensorOffset offset_left_;  ///< by the last layer that shows an offset
+  MovedWatches moved_watches_;
+  std::string moved_;                            ///< reason for which no cloud is believed; empty if none
   LumpWatch lump_;                               ///< highest lump above the layer under way, as scanned
   FallenWatch fallen_;                           ///< what came off that layer, as scanned
   Box3 ground_;                                  ///< of that layer, without its height

@@ -3,6 +3,7 @@
 #include "control/run/laid_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "control/run/cell_corrections.hpp"
@@ -119,6 +120,18 @@ void LaidLayer::realise(const LayerCells& cells, const LoopSettings& settings) {
   told_ = std::move(result.told);
   mapped_ = {laid_, shift_mm_, state_};
   last_amount_ = lastOf(cells, laid_.amount);
+}
+
+std::vector<CellOutcome> LaidLayer::outcomes(const LayerCells& cells,
+                                             const std::vector<CellEstimate>& estimates) const {
+  std::vector<CellOutcome> outcomes;
+  outcomes.reserve(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CellEstimate& cell = estimates[i];
+    outcomes.push_back(
+        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), correction().amount[i], cell.isSeen()});
+  }
+  return outcomes;
 }
 
 }  // namespace lamina

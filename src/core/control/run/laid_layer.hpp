@@ -10,6 +10,7 @@
 
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
+#include "lamina/control/run/loop_run.hpp"
 #include "lamina/control/run/loop_run_settings.hpp"
 
 namespace lamina {
@@ -65,6 +66,10 @@ class LaidLayer {
   LoopState state() const { return state_; }           ///< of the loop as it shows in the layer
   /// The last map, as the machine gets it.
   CorrectionMap map(const LayerCells& cells, const std::string& toolpath_id, std::uint64_t sequence) const;
+
+  /// What has become of each cell.
+  std::vector<CellOutcome> outcomes(const LayerCells& cells,
+                                    const std::vector<CellEstimate>& estimates) const;
 
  private:
   LayerCorrection wanted(const HeightLoop& loop, LoopState state, const LoopSettings& settings) const;

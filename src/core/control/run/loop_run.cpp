@@ -32,7 +32,8 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       atlas_(settings.sight.window_layers),
       laid_(std::make_unique<LaidLayer>()),
       coasting_(std::make_unique<CoastingMaps>()),
-      pose_watches_(settings.loop.silence_s) {
+      pose_watches_(settings.loop.silence_s),
+      moved_watches_(normal_) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
   loop_.emplace(settings_.loop, normal_);
@@ -77,17 +78,22 @@ LoopMemory LoopRun::memory(std::size_t layer) const {
 const LoopStatus& LoopRun::request(LoopRequest request) {
   if (status_.state == LoopState::Blocked) stability_ = checkNow();
   status_ = afterRequest(request, stability_);
-  offset_left_ = {};
-  standing_.end(LoopAlarm::TimeOffset);
+  forgetShifts();
   standing_.settle(status_, watched_);
   return status_;
+}
+
+void LoopRun::forgetShifts() {
+  offset_left_ = {};
+  moved_.clear();
+  moved_watches_.reset();
+  standing_.end(LoopAlarm::TimeOffset);
 }
 
 void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   offset_sigmas_ = timeOffsetSigmas(known);
   settings_.calibration = known;
-  offset_left_ = {};
-  standing_.end(LoopAlarm::TimeOffset);
+  forgetShifts();
   stability_ = checkNow();
   if (stability_.may_start && stability_.low_pass_mm > settings_.loop.low_pass_mm) {
     stability_.may_start = false;
@@ -292,8 +298,11 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
 }
 
 /// What stands higher or lies lower than cells are looked for. A layer that is not plane has no one height.
-void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
+void LoopRun::watchHeights(const std::string& sensor, const SensorProfile& profile) {
   if (!atlas_.isPlane(*layer_)) return;
+  const std::vector<Point3>& points = profile.points;
+  const Eigen::Isometry3d& toolpath_from_sensor = profile.toolpath_from_sensor;
+  moved_watches_.see(sensor, points, toolpath_from_sensor);
   const double layer_mm = loop_->cells().height_mm.front();
   const double top_mm = loop_->cells().middle.front().dot(normal_);
   const std::vector<double> heights = heightsOver(top_mm, ground_, normal_, points, toolpath_from_sensor);
@@ -311,6 +320,16 @@ void LoopRun::watchHeights(const std::vector<Point3>& points, const Eigen::Isome
 void LoopRun::watchOffset() {
   const auto offset = offset_.offset(loop_->cells(), offset_sigmas_);
   offset_left_ = offset.value_or(offset_left_);
+  watch();
+}
+
+/// By what was expected before the scan: what a moved sensor shows is not to explain it, nor came off.
+void LoopRun::watchPlace() {
+  if (moved_.empty() && atlas_.isPlane(*layer_))
+    moved_ = moved_watches_.moved(atlas_, scannedLayer(loop_->cells(), loop_->errorsBeforeClouds(), normal_));
+  if (moved_.empty()) return;
+  is_distrusted_ = true;
+  fallen_.reset();
   watch();
 }
 
@@ -340,7 +359,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
     if (loop_->readsSections()) sections_.see(profile, atlas_, settings_.sight);
-    if (progress_.place().is_scanning) watchHeights(points, profile.toolpath_from_sensor);
+    if (progress_.place().is_scanning) watchHeights(cloud.sensor, profile);
     for (const LayerReading& reading : read.readings) use(cloud.sensor, reading);
   }
   for (const SectionReading& section : sections_.take()) loop_->seeDeficit(section.cell, section.deficit);
@@ -390,6 +409,7 @@ void LoopRun::watch() {
   seen.unplaced_s = hears ? silent_s_ : 0.0;
   seen.blind_s = pose_watches_.blind(events_.latestTip());
   judge(offset_left_, seen);
+  seen.moved = moved_;
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   step.alarms = watched_.risen(std::move(step.alarms));
   take(std::move(step));
@@ -425,6 +445,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   taught_.begin(*loop_);
   blockIfLump();
   offset_.begin(loop_->cells().size());
+  moved_watches_.begin();
   pose_watches_.begin();
   is_distrusted_ = false;
   lump_.reset();
@@ -498,7 +519,8 @@ bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
 
 void LoopRun::endLayer() {
   watchOffset();
-  // The profiles by which a sensor was found to be stuck were read.
+  watchPlace();
+  // The profiles by which a sensor was found to be stuck, or to have moved, were read.
   if (is_distrusted_) loop_->forgetClouds();
   LayerFigures figures = loop_->endLayer();
   figures.fallen = fallen_.fallen(loop_->cells(), loop_->estimates());
@@ -519,16 +541,7 @@ void LoopRun::endLayer() {
 }
 
 LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
-  LayerOutcome outcome{figures, laid_->state(), layer_alarms_, {}};
-  const std::vector<double>& amount = laid_->correction().amount;
-  const LayerCells& cells = loop_->cells();
-  outcome.cells.reserve(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const CellEstimate& cell = loop_->estimates()[i];
-    outcome.cells.push_back(
-        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), amount[i], cell.isSeen()});
-  }
-  return outcome;
+  return {figures, laid_->state(), layer_alarms_, laid_->outcomes(loop_->cells(), loop_->estimates())};
 }
 
 /// A plan holds for the layer that comes next alone.
