@@ -54,9 +54,9 @@ export async function showRecords(state, mayOperate, wasLost) {
   if (isAsking || (seen === shown && !wasLost && Date.now() - asked < longestAge)) return;
   isAsking = true;
   asked = Date.now();
+  shown = seen; // whatever is answered: a state comes ten times a second
   try {
     await askRecords(mayOperate);
-    shown = seen;
     byId("records").hidden = false;
   } catch (error) {
     // The journal is elsewhere. Where nobody answers at all, the link reports it.

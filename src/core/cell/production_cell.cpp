@@ -517,6 +517,7 @@ void ProductionCell::close(JobState outcome, const std::string& reason, CellTime
   write(now, [&] {
     if (!is_cut_off) return writeEnd(outcome, reason, now);
     journal_.together([&] {
+      journal_.setProgress(*execution_, report_.progress, now.utc_s);  // what came since it was last due
       journal_.interrupt(*execution_, reason, now.utc_s);
       keepCounters();
     });

@@ -68,12 +68,24 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   const std::filesystem::path path(request.program);
   const std::string file = path.filename();
   const std::string name = request.name.empty() ? file : request.name;
-  // Uploads have no suffix of their own.
+  // Uploads have no suffix of their own, and files that were kept have no other name than their digest.
+  const bool is_name_of_file =
+      !path.has_extension() || path.extension() == std::filesystem::path(name).extension();
   std::vector<KeptFile> files = {
-      artefacts_.keepFile(request.program, "program", path.has_extension() ? file : name)};
+      artefacts_.keepFile(request.program, "program", is_name_of_file ? name : file)};
+  const auto removeNew = [&] {
+    for (const KeptFile& each : files)
+      if (each.is_new) artefacts_.remove(each.artefact);
+  };
+  std::int32_t layers = 0;
   try {
     NodeProgress progress;
-    const std::int32_t layers = checkedLayers(artefacts_.pathOf(files.front().artefact), settings_, progress);
+    layers = checkedLayers(artefacts_.pathOf(files.front().artefact), settings_, progress);
+  } catch (...) {
+    removeNew();
+    throw;
+  }
+  try {
     if (!request.mesh.empty()) files.push_back(artefacts_.keepFile(request.mesh, "mesh", request.mesh_name));
     std::vector<Artefact> artefacts;
     artefacts.reserve(files.size() + 1);
@@ -84,8 +96,7 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   } catch (const Cancelled&) {
     throw;  // the journal may still have taken it
   } catch (...) {
-    for (const KeptFile& each : files)
-      if (each.is_new) artefacts_.remove(each.artefact);
+    removeNew();
     throw;
   }
 }

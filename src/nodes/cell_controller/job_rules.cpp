@@ -17,13 +17,23 @@ std::int32_t layersOf(const StreamableProgram& program) {
   return cursor.layer() + 1;
 }
 
+KinematicModelRun checkedRun(ToolpathOnBed placed, const CheckedMachine& machine,
+                             const DriveCheckSettings& settings, Progress& progress) {
+  if (settings.clearance.need != ClearanceNeed::Never)
+    return drivableRun(
+        std::move(placed), machine, settings, [](const MachineCheck&) {}, progress);
+  requireDrivable(placed.toolpath);
+  return runOn(machine, std::move(placed.toolpath), placed.bed_from_part, settings.joints, progress);
+}
+
 std::int32_t checkedToolpath(const std::string& path, const CellControllerSettings& settings,
                              Progress& progress) {
   const auto model = kinematicModelOf(settings.machine);
   ToolpathOnBed placed = readToolpathOnBed(path, settings.placement, buildSpaceOf(settings.machine));
   const auto layers = static_cast<std::int32_t>(placed.toolpath.layers.size());
-  drivableRun(
-      std::move(placed), CheckedMachine(*model), settings.drive, [](const MachineCheck&) {}, progress);
+  KinematicModelRun run = checkedRun(std::move(placed), CheckedMachine(*model), settings.drive, progress);
+  // By the default speeds: a way that no speed keeps, drops and empty toolpaths are refused by any.
+  inTime(std::move(run), *model, {});
   return layers;
 }
 

@@ -29,7 +29,10 @@ void CorrectionReports::tell(CorrectedStream& corrected) const {
     // What is deposited by the coasting map has a digest, which leaves no place for why.
     const std::string reason = each.is_coasting ? std::string() : each.refusal;
     publish(toMessage({each.layer, each.waited_s, reason, {}}, toolpath_id, each.digest));
-    if (each.is_coasting)
+    if (each.is_coasting && !each.refusal.empty())
+      ROS_WARN("layer %lu is deposited by its coasting map %s: %s", static_cast<unsigned long>(each.layer),
+               each.digest.c_str(), each.refusal.c_str());
+    else if (each.is_coasting)
       ROS_WARN("%d: no map of layer %lu within %.1f s: it is deposited by its coasting map %s",
                static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s,
                each.digest.c_str());

@@ -72,9 +72,9 @@ class ChunkCorrection {
   std::string takeRefusal() { return std::exchange(refusal_, {}); }
 
   /// Since the last call, each change of what a layer is driven by: its map came, none came in time (with
-  /// the digest of its coasting map if it is driven by that), all of
-  /// it was handed over without one, or a later map of it is not used. Later maps that are used change
-  /// nothing: the layer is driven by its maps. Layers that the toolpath does not have are left out.
+  /// the digest of its coasting map if it is driven by that), all of it was handed over without one, or a
+  /// later map of it is not used. Later maps that are used change nothing: the layer is driven by its maps.
+  /// Layers that the toolpath does not have are left out.
   std::vector<DrivenLayer> takeLayers() { return std::exchange(layers_, {}); }
 
  private:

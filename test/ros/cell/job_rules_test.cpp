@@ -55,6 +55,26 @@ TEST(JobRules, TakeWhatTheExecutorRuns) {
   EXPECT_TRUE(isIn(no_program, "line 2: a letter is expected")) << no_program;
 }
 
+TEST(JobRules, RefuseWhatTheDriverWouldRefuseAtTheStart) {
+  const CellControllerSettings robot = cellWith(ExecutorKind::Driver, "irb_4600");
+  const std::string empty = takenBy(robot, csvOf(Toolpath{"empty", {}}));
+  EXPECT_TRUE(isIn(empty, "station")) << empty;
+  Toolpath drops = test::twoLayers();
+  for (ToolpathLayer& layer : drops.layers)
+    for (Path& path : layer.paths) path.deposit = Deposit::Drops;
+  const std::string dropped = takenBy(robot, csvOf(drops));
+  EXPECT_TRUE(isIn(dropped, "drop")) << dropped;
+}
+
+TEST(JobRules, LookForCollisionsUnlessTheyAreOfNoConcern) {
+  const Toolpath beneath{"beneath", {{0.2, 0.2, {test::straightPath({0, 0, -40}, {20, 0, -40})}}}};
+  CellControllerSettings robot = cellWith(ExecutorKind::Driver, "irb_4600");
+  robot.placement = Placement::AsIs;
+  EXPECT_NE(takenBy(robot, csvOf(beneath)), "1") << "the tool in the bed";
+  robot.drive.clearance.need = ClearanceNeed::Never;
+  EXPECT_EQ(takenBy(robot, csvOf(beneath)), "1");
+}
+
 TEST(JobRules, CheckAToolpathWholeForItsMachine) {
   const Toolpath far{"far", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {9000, 0, 0.2})}}}};
   const std::string refused = takenBy(cellWith(ExecutorKind::Driver, "irb_4600"), csvOf(far));

@@ -185,7 +185,7 @@ TEST(RobotCell, KeepsHowFarTheJobOfAKilledDriverWas) {
 
 // Nobody would see what the robot does, or stop it.
 TEST(RobotCell, FindsItsJobHeldWhenItWasGoneForLong) {
-  RobotCell cell("robot_alone", 1.0);
+  RobotCell cell("robot_alone", 5.0);
   cell.enqueueReleased();
   cell.bringToIdle();
   cell.bringToBead();
