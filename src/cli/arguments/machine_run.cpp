@@ -68,8 +68,8 @@ KinematicModelRun runOfInput(const CheckedMachine& machine, const std::string& i
   if (is_toolpath && settings.placement == Placement::Centre)
     read.bed_from_part = placeDeposition(read.toolpath, buildSpaceOf(settings.machine));
   JointPathSettings joints = settings.joints;
-  joints.tool_offsets_mm = toolOffsets(settings.planning.tools);
-  if (joints.tool_offsets_mm.empty()) joints.tool_offsets_mm = toolOffsetsIn(input);
+  // A program was read with the offsets of its own header: by others its carriage would stand elsewhere.
+  joints.tool_offsets_mm = isProgramFile(input) ? toolOffsetsIn(input) : toolOffsets(settings.planning.tools);
   return runOn(machine, std::move(read.toolpath), read.bed_from_part, joints, progress);
 }
 

@@ -105,7 +105,7 @@ void describe(SettingsSchema& schema, FlowTrialSettings& settings) {
   schema.number("flow_trial.height_mm", settings.height_mm, length, "Height of the squares.");
   schema.number("flow_trial.width_mm", settings.width_mm, Bounds::above(0.0, 100.0),
                 "Thickness of walls at the nominal flow.");
-  schema.number("flow_trial.layer_mm", settings.layer_mm, Bounds::above(0.0, 100.0), "Height of layers.");
+  schema.number("flow_trial.layer_mm", settings.layer_mm, {0.01, 100.0}, "Height of layers.");
   schema.number("flow_trial.feed_mm_s", settings.feed_mm_s, Bounds::above(0.0, 1000.0), "Speed of walls.");
   schema.number("flow_trial.reading_mm", settings.reading_mm, Bounds::above(0.0, 1.0),
                 "Standard deviation of a reading of a wall's thickness, at least.");

@@ -42,10 +42,12 @@ std::map<std::string, ProgramWriter> builtInWriters() {
   };
   ProgramWriter rapid;
   rapid.write = [](const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
-    writeRapid(placed, settings.rapid, sink);
+    writeRapid(placed, rapidWithLoad(settings), sink);
   };
   rapid.write_files = [](const std::string& path, const PlacedToolpath& placed,
-                         const ProgramSettings& settings) { writeRapidFiles(path, placed, settings.rapid); };
+                         const ProgramSettings& settings) {
+    writeRapidFiles(path, placed, rapidWithLoad(settings));
+  };
   std::map<std::string, ProgramWriter> writers = {
       {".csv", csv}, {".gcode", {writeProgram, {}}}, {".mod", rapid}};
   for (const RobotLanguage language : kRobotLanguages)

@@ -82,7 +82,8 @@ std::string PrintHold::hold() {
 std::optional<std::string> PrintHold::takeLate() {
   if (!asked_.valid() || !isReady(asked_, 0.0)) return std::nullopt;
   const Answer answer = asked_.get();
-  if (answer.is_held || !is_wanted_again_) return answer.text;
+  // A unit that is suspended may be so for hours: nothing is laid until it goes on, and then it takes a Hold.
+  if (answer.is_held || !(is_wanted_again_ || answer.is_passing)) return answer.text;
   return answer.text + "; asked again: " + hold();
 }
 

@@ -46,7 +46,9 @@ void PrintMemory::keepStatus(const LoopStatus& status) {
 }
 
 void PrintMemory::keepStanding(const std::vector<RaisedAlarm>& standing) {
-  const auto isEqual = [](const RaisedAlarm& a, const RaisedAlarm& b) { return a.alarm == b.alarm; };
+  const auto isEqual = [](const RaisedAlarm& a, const RaisedAlarm& b) {
+    return a.alarm == b.alarm && a.reaction == b.reaction && a.reason == b.reason;
+  };
   if (!memory_ || std::equal(standing.begin(), standing.end(), memory_->standing.begin(),
                              memory_->standing.end(), isEqual))
     return;

@@ -46,6 +46,17 @@ TEST(PrintHold, PassesOnAnAnswerThatComesLate) {
   EXPECT_EQ(executor.asked, 1);
 }
 
+TEST(PrintHold, AsksAgainWhileTheUnitIsOnItsWayToGoOn) {
+  SlowExecutor executor;
+  PrintHold hold([&executor] { return executor(); });
+  EXPECT_EQ(hold.hold(), "the print has not answered to pause within 1 s");
+  PrintHold::Answer suspended{false, "the unit is suspended"};
+  suspended.is_passing = true;
+  executor.answer.set_value(suspended);
+  EXPECT_EQ(lateAnswer(hold), "the unit is suspended; asked again: the print is held");
+  EXPECT_EQ(executor.asked, 2);
+}
+
 TEST(PrintHold, AsksAgainForAHoldThatWasAskedForMeanwhile) {
   SlowExecutor executor;
   PrintHold hold([&executor] { return executor(); });

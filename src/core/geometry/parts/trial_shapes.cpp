@@ -73,7 +73,7 @@ void describe(SettingsSchema& schema, Dome& shape) {
                  "flat segments around the foot, a quarter as many up");
 }
 
-/// Its top is a small level polygon.
+/// Its top is a point.
 Mesh build(const Dome& shape) {
   const int rings = shape.segments / 4;
   std::vector<std::vector<Point3>> all;

@@ -335,7 +335,7 @@ std::vector<PlatePlace> arranged(const std::vector<Footprint>& footprints, const
   // What is laid beside a part alone on the bed ends at the bed's edge.
   if (footprints.size() == 1 && footprints.front().beside_mm > 0.0) {
     Footprint bare = footprints.front();
-    bare.beside_mm = 0.0;
+    bare.beside_mm = bare.cut_mm = 0.0;
     return arranged({bare}, bed, settings);
   }
   std::vector<PlatePlace> places = placedOn(bed, footprints, settings);

@@ -52,10 +52,15 @@ Point2 halfWayDown(const AdaptedLayer& layer, const OutlinePlace& place) {
          place.fraction * ofPoint((place.segment + 1) % loop.points.size());
 }
 
-bool hasFolds(const Mesh& mesh) {
-  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const Triangle& corner) {
-    const Point2 a = mesh.vertices[corner[0]].head<2>();
-    return cross(mesh.vertices[corner[1]].head<2>() - a, mesh.vertices[corner[2]].head<2>() - a) <= 0.0;
+double signedArea(const Mesh& mesh, const Triangle& corner) {
+  const Point2 a = mesh.vertices[corner[0]].head<2>();
+  return cross(mesh.vertices[corner[1]].head<2>() - a, mesh.vertices[corner[2]].head<2>() - a);
+}
+
+/// Whether a triangle has been turned over by moving vertices. Slivers that were flat before do not count.
+bool isFolded(const Mesh& moved, const Mesh& before) {
+  return std::any_of(moved.triangles.begin(), moved.triangles.end(), [&](const Triangle& corner) {
+    return signedArea(moved, corner) <= 0.0 && signedArea(before, corner) > 0.0;
   });
 }
 
@@ -112,30 +117,9 @@ TipSurface tipSurface(const AdaptedLayer& layer, double step_mm) {
   for (std::size_t i = 0; i < region.border.size(); ++i)
     moved.vertices[i].head<2>() += halfWayDown(layer, region.border[i]);
   // At sharp edges and where points lie close together the rim may pass its neighbours: it stays there.
-  if (!hasFolds(moved)) tip.mesh = std::move(moved);
+  if (!isFolded(moved, tip.mesh)) tip.mesh = std::move(moved);
   return tip;
 }
-
-/// The surface that a layer lies on.
-class Ground {
- public:
-  explicit Ground(const TipSurface& tip) : mesh_(tip.mesh), normals_(tip.normals), places_(tip.mesh) {}
-
-  /// How far below a point it is along a direction. Where a wall leans outwards, the rim reaches out over the
-  /// layer below; there the plane counts that continues it.
-  double depthBelow(const Point3& point, const Point3& upwards) const {
-    const NearestPlace place = places_.nearest(point);
-    Point3 normal = Point3::Zero();
-    for (const std::uint32_t corner : mesh_.triangles[place.triangle]) normal += normals_[corner];
-    normal.normalize();
-    return std::max(0.0, upwards.dot(point - place.point));
-  }
-
- private:
-  const Mesh& mesh_;
-  const std::vector<Point3>& normals_;
-  NearestTriangle places_;
-};
 
 /// @param below  none for the lowest layer
 LayerSurface surfaceOn(const TipSurface* below, double bottom_mm, const TipSurface& tip) {

@@ -3,6 +3,7 @@
 #include "program/robot/writer/robot_script.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -81,7 +82,9 @@ RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settin
   const Point3& centre = cell_->load->centre_mm;
   requireLoadOfCell(settings_, *cell_->load);
   settings_.tool_mass_kg = cell_->load->mass_kg;
-  settings_.tool_centre_of_gravity_mm = {centre.x(), centre.y(), centre.z()};
+  // What turning the flange leaves of a centre is not written.
+  const auto rounded = [](double value_mm) { return std::round(value_mm * 1e4) / 1e4 + 0.0; };
+  settings_.tool_centre_of_gravity_mm = {rounded(centre.x()), rounded(centre.y()), rounded(centre.z())};
 }
 
 std::vector<JointKind> RobotScript::externalKinds() const {
