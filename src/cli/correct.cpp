@@ -165,9 +165,8 @@ void correctRobot(const CorrectArguments& arguments, CorrectSettings settings, O
                "those of %s; "
                "expected both to be taken over by hand before it runs\n",
                arguments.output.c_str(), keys.c_str(), arguments.program.c_str());
-  if (isRapidFile(arguments.output))
-    std::fprintf(stderr, "warning: %s: %s\n", arguments.output.c_str(),
-                 rapidLoadNote(settings.rapid, nullptr).c_str());
+  const std::string load = isRapidFile(arguments.output) ? rapidLoadNote(settings.rapid, nullptr) : "";
+  if (!load.empty()) std::fprintf(stderr, "warning: %s: %s\n", arguments.output.c_str(), load.c_str());
   printTimes(arguments, correction, {depositionTime(planned), depositionTime(corrected)}, format);
 }
 

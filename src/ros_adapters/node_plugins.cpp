@@ -27,7 +27,7 @@ PluginLoader& pluginLoader() {
 /// before them, would take it away.
 void keepLoaded(const std::string& library) {
   if (dlopen(library.c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE) == nullptr)
-    throw FileError("plug-in '" + library + "' is not loaded: " + dlerror());
+    throw FileError("plug-in '" + library + "' is not loaded; expected it to be, by pluginlib");
 }
 
 void addEntriesOf(PluginLoader& loader, const std::string& name) {

@@ -23,6 +23,7 @@
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
@@ -427,6 +428,8 @@ void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
     return requireWritable({*robotLanguageOf(job.output), name, job.settings.program.robot},
                            *kinematicModelOf(job.settings.machine));
   }
+  if (programRunner(job.output) == ProgramRunner::RapidRobot)
+    requireControllerKind(kinematicModelOf(job.settings.machine)->urdf(), "abb", "RAPID");
   if (!isGcodeFile(job.output) || !canTurnToolAxis(space)) return;
   if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +

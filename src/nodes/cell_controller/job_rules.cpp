@@ -17,6 +17,15 @@ std::int32_t layersOf(const StreamableProgram& program) {
   return cursor.layer() + 1;
 }
 
+/// The driver has its own figures. What is refused by these, as drops and empty toolpaths are, no driver
+/// takes.
+TimingSettings ofAnyDriver() {
+  TimingSettings timing;
+  timing.trajectory.line_tolerance_mm = 10.0;
+  timing.trajectory.line_tolerance_deg = 45.0;
+  return timing;
+}
+
 KinematicModelRun checkedRun(ToolpathOnBed placed, const CheckedMachine& machine,
                              const DriveCheckSettings& settings, Progress& progress) {
   if (settings.clearance.need != ClearanceNeed::Never)
@@ -32,8 +41,7 @@ std::int32_t checkedToolpath(const std::string& path, const CellControllerSettin
   ToolpathOnBed placed = readToolpathOnBed(path, settings.placement, buildSpaceOf(settings.machine));
   const auto layers = static_cast<std::int32_t>(placed.toolpath.layers.size());
   KinematicModelRun run = checkedRun(std::move(placed), CheckedMachine(*model), settings.drive, progress);
-  // By the default speeds: a way that no speed keeps, drops and empty toolpaths are refused by any.
-  inTime(std::move(run), *model, {});
+  inTime(std::move(run), *model, ofAnyDriver());
   return layers;
 }
 

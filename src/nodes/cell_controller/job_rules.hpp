@@ -12,7 +12,7 @@ namespace lamina {
 
 /// Checks a job's file whole, for the cell's executor and machine: a program of G-code by its reach
 /// (`requirePrintable`), a toolpath as `lamina check` does (`drivableRun`), without collisions if
-/// `clearance.need` is never, and by the default speeds (`inTime`).
+/// `clearance.need` is never, and by the widest tolerances of a driver (`inTime`).
 /// @return the number of layers; 0 if the file does not say it
 /// @throws as these functions, `readToolpathOnBed`, and Cancelled
 std::int32_t checkedLayers(const std::string& path, const CellControllerSettings& settings,

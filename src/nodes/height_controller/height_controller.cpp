@@ -91,6 +91,7 @@ HeightController::~HeightController() {
 
 void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
   if (isFollowedPlan(message->id)) return;
+  print_hold_.release();
   if (ended_) endJob();
   hold_.releaseAll();
   if (feed_.run() != nullptr) {
@@ -224,6 +225,7 @@ void HeightController::endJob() {
 
 void HeightController::endPrint(std::uint8_t state) {
   const bool is_complete = state == lamina_msgs::MachineState::COMPLETE;
+  print_hold_.release();
   hold_.releaseAll();
   feed_.pass();
   if (is_complete) feed_.finish();

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 
 #include "messages.hpp"
 #include "names.hpp"
@@ -74,16 +75,25 @@ std::string PrintHold::hold() {
     return "the print was asked to pause before and has not answered";
   }
   is_wanted_again_ = false;
+  is_wanted_ = true;
+  waits_for_.clear();
   asked_ = std::async(std::launch::async, ask_);
   if (!isReady(asked_, kPatience)) return "the print has not answered to pause within 1 s";
   return asked_.get().text;
 }
 
+void PrintHold::release() { is_wanted_ = is_wanted_again_ = false; }
+
 std::optional<std::string> PrintHold::takeLate() {
   if (!asked_.valid() || !isReady(asked_, 0.0)) return std::nullopt;
   const Answer answer = asked_.get();
   // A unit that is suspended may be so for hours: nothing is laid until it goes on, and then it takes a Hold.
-  if (answer.is_held || !(is_wanted_again_ || answer.is_passing)) return answer.text;
+  if (!answer.is_held && answer.is_passing && is_wanted_) {
+    asked_ = std::async(std::launch::async, ask_);
+    if (std::exchange(waits_for_, answer.text) == answer.text) return std::nullopt;
+    return answer.text + "; it is asked until it takes it";
+  }
+  if (answer.is_held || !is_wanted_again_) return answer.text;
   return answer.text + "; asked again: " + hold();
 }
 

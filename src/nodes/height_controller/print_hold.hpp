@@ -32,12 +32,17 @@ class PrintHold {
 
   /// @return what became of it, for the log
   std::string hold();
-  /// What became of a request that `hold` did not wait for, once that is known.
+  /// The print that was to be held is over, or its loop is off: nothing is asked again.
+  void release();
+  /// What became of a request that `hold` did not wait for, once that is known. One that was refused in a
+  /// state that passes is made again, and reported once for each reason.
   std::optional<std::string> takeLate();
 
  private:
   Ask ask_;
   std::future<Answer> asked_;
+  bool is_wanted_ = false;
+  std::string waits_for_;         ///< why the unit takes no Hold yet, as reported
   bool is_wanted_again_ = false;  ///< whether `hold` was called while a request was under way
 };
 

@@ -4,6 +4,7 @@
 // which a feeder lays nine tenths.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/sensed_wall.hpp"
@@ -84,14 +85,28 @@ TEST(MovedRun, SeesBeadsBesideTheirPlaces) {
 }
 
 TEST(MovedRun, SeesTheBedRiseAndFall) {
-  for (const double up : {0.5, -1.0, 3.0}) {
+  const std::vector<std::pair<double, std::string>> moves = {
+      {0.5, "0.5 mm higher"}, {-1.0, "1 mm lower"}, {3.0, "3 mm higher"}};
+  for (const auto& [up, figure] : moves) {
     auto wall = knockedWall({0.0, 0.0, up});
     wall.layers = kMoved + 3;
     SCOPED_TRACE(up);
-    const auto printed = test::sensedWall(wall);
-    expectFound(printed, up > 0.0 ? (up == 3.0 ? "3 mm higher" : "0.5 mm higher") : "1 mm lower");
-    EXPECT_FALSE(movedAlarms(printed).empty());
+    expectFound(test::sensedWall(wall), figure);
   }
+}
+
+/// What rises above the head's clearance is taken for a lump, until it is known that the sensor has moved.
+TEST(MovedRun, SeesNoLumpOnceTheSensorIsKnownToHaveMoved) {
+  auto wall = knockedWall({0.0, 0.0, 8.0});
+  wall.layers = kMoved + 6;
+  const auto printed = test::sensedWall(wall);
+  const auto isOf = [](LoopAlarm which) {
+    return [which](const RaisedAlarm& alarm) { return alarm.alarm == which; };
+  };
+  const auto moved = std::find_if(printed.alarms.begin(), printed.alarms.end(), isOf(LoopAlarm::TimeOffset));
+  ASSERT_NE(moved, printed.alarms.end()) << textsOf(printed);
+  EXPECT_NE(moved->reason.find("8 mm higher"), std::string::npos) << moved->reason;
+  EXPECT_EQ(std::count_if(moved, printed.alarms.end(), isOf(LoopAlarm::Lump)), 0) << textsOf(printed);
 }
 
 /// Along a straight bead only its ends show it.

@@ -115,6 +115,12 @@ TEST(RobotCell, ControllersOfTheCellMapItsProgram) {
   EXPECT_NE(refusal(RobotLanguage::Krl, mapped).find("robot_program.tool_number differs"), std::string::npos);
   EXPECT_NE(refusal(RobotLanguage::Fanuc, {}).find("cell.controller has the kind 'kuka'"), std::string::npos);
   EXPECT_THROW(RapidProgram(toolpath, place, {}, &robot), InvalidConfig);
+  // A program of before the cell stated it would turn the arm the other way.
+  EXPECT_NO_THROW(readRobotMotion(files, "part", *arm));
+  const auto unmapped = robotProgram(toolpath, place, {RobotLanguage::Krl, "part", {}}, &without);
+  EXPECT_THROW(readRobotMotion(unmapped, "part", *arm), InvalidProgram);
+  const auto of_fanuc = robotProgram(toolpath, place, {RobotLanguage::Fanuc, "part", {}}, &without);
+  EXPECT_THROW(readRobotMotion(of_fanuc, "part", *arm), InvalidConfig);
 }
 
 /// One bead askew under an arm on a gantry, led by both axes.

@@ -50,11 +50,21 @@ TEST(PrintHold, AsksAgainWhileTheUnitIsOnItsWayToGoOn) {
   SlowExecutor executor;
   PrintHold hold([&executor] { return executor(); });
   EXPECT_EQ(hold.hold(), "the print has not answered to pause within 1 s");
-  PrintHold::Answer suspended{false, "the unit is suspended"};
-  suspended.is_passing = true;
-  executor.answer.set_value(suspended);
-  EXPECT_EQ(lateAnswer(hold), "the unit is suspended; asked again: the print is held");
+  executor.answer.set_value({false, "the unit is suspended", true});
+  EXPECT_EQ(lateAnswer(hold), "the unit is suspended; it is asked until it takes it");
+  EXPECT_EQ(lateAnswer(hold), "the print is held");
   EXPECT_EQ(executor.asked, 2);
+}
+
+TEST(PrintHold, AsksNothingOnceThePrintIsOver) {
+  SlowExecutor executor;
+  PrintHold hold([&executor] { return executor(); });
+  EXPECT_EQ(hold.hold(), "the print has not answered to pause within 1 s");
+  hold.release();
+  executor.answer.set_value({false, "the unit is suspended", true});
+  EXPECT_EQ(lateAnswer(hold), "the unit is suspended");
+  EXPECT_FALSE(hold.takeLate());
+  EXPECT_EQ(executor.asked, 1);
 }
 
 TEST(PrintHold, AsksAgainForAHoldThatWasAskedForMeanwhile) {

@@ -330,6 +330,7 @@ void LoopRun::watchPlace() {
   if (moved_.empty()) return;
   is_distrusted_ = true;
   fallen_.reset();
+  lump_.reset();
   watch();
 }
 

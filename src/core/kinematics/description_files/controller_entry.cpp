@@ -24,6 +24,12 @@ std::vector<double> sixFrom(const StrictYaml& node, double most, const char* exp
   return numbers;
 }
 
+double shareFrom(const StrictYaml& node) {
+  const double share = node.number();
+  if (!(std::abs(share) <= 1.0)) node.refuse("is " + numberText(share) + "; expected -1 to 1");
+  return share;
+}
+
 int numberFrom(const StrictYaml& node, double last) {
   const double number = node.number();
   if (!(number >= 1.0 && number <= last) || number != std::round(number))
@@ -53,7 +59,7 @@ ArmController armControllerFrom(const StrictYaml& node) {
     if (key == "kind") controller.kind = kindFrom(value);
     if (key == "sign") controller.signs = sixFrom(value, 1.0, "1 or -1");
     if (key == "zero_deg") controller.zeros_deg = sixFrom(value, kGreatestZero, "-360 to 360 deg");
-    if (key == "j3_from_j2") controller.joint_3_from_2 = value.number();
+    if (key == "j3_from_j2") controller.joint_3_from_2 = shareFrom(value);
     if (key == "tool_number") controller.tool_number = numberFrom(value, kLastTool);
     if (key == "frame_number") controller.frame_number = numberFrom(value, kLastFrame);
   }

@@ -8,6 +8,7 @@
 
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/robot/robot_program_settings.hpp"
 #include "program/robot/robot_statement.hpp"
 
 namespace lamina {
@@ -34,5 +35,14 @@ ControllerJoints controllerJoints(const ControllerMap& map, const KinematicModel
 
 /// The inverse of `controllerJoints`; missing values of external axes are taken as zero.
 JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const ControllerJoints& joints);
+
+/// The kind of controller that runs programs of a language, as `cell.controller` names it.
+const char* controllerKind(RobotLanguage language);
+
+/// Checks that a program is one for the controller that the cell file of an arm states, if it states one: by
+/// its language, and by how it counts joints.
+/// @throws InvalidConfig as `requireControllerKind`
+/// @throws InvalidProgram if it counts them otherwise
+void requireController(RobotLanguage language, const ControllerMap& map, const KinematicModel& arm);
 
 }  // namespace lamina

@@ -52,6 +52,8 @@ Point2 halfWayDown(const AdaptedLayer& layer, const OutlinePlace& place) {
          place.fraction * ofPoint((place.segment + 1) % loop.points.size());
 }
 
+constexpr double kFlatArea = 1e-9;  // mm2, twice that of a triangle: what rounding leaves of one that is flat
+
 double signedArea(const Mesh& mesh, const Triangle& corner) {
   const Point2 a = mesh.vertices[corner[0]].head<2>();
   return cross(mesh.vertices[corner[1]].head<2>() - a, mesh.vertices[corner[2]].head<2>() - a);
@@ -60,7 +62,8 @@ double signedArea(const Mesh& mesh, const Triangle& corner) {
 /// Whether a triangle has been turned over by moving vertices. Slivers that were flat before do not count.
 bool isFolded(const Mesh& moved, const Mesh& before) {
   return std::any_of(moved.triangles.begin(), moved.triangles.end(), [&](const Triangle& corner) {
-    return signedArea(moved, corner) <= 0.0 && signedArea(before, corner) > 0.0;
+    const double area = signedArea(moved, corner);
+    return area < -kFlatArea || (area <= 0.0 && signedArea(before, corner) > 0.0);
   });
 }
 

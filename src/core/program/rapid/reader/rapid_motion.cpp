@@ -8,6 +8,7 @@
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/arm_cell.hpp"
+#include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
 #include "program/led_joints.hpp"
@@ -144,6 +145,7 @@ class RapidFollower {
 }  // namespace
 
 StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, const KinematicModel& arm) {
+  requireControllerKind(arm.urdf(), "abb", "RAPID");
   requireCell(source, arm);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;

@@ -14,6 +14,7 @@
 #include "lamina/base/input_file.hpp"
 #include "program/robot/reader/robot_parser.hpp"
 #include "program/robot/reader/robot_run.hpp"
+#include "program/robot/robot_cell.hpp"
 
 namespace lamina {
 namespace {
@@ -133,6 +134,11 @@ EquippedToolpath equipped(RobotRunning running) {
   return {std::move(running.program.toolpath), std::move(running.equipment)};
 }
 
+StatedMotion motionOf(const std::string& file, RobotRunning running, const KinematicModel& arm) {
+  if (const auto language = robotLanguageOf(file)) requireController(*language, running.head.map, arm);
+  return robotMotionOf(std::move(running), arm);
+}
+
 }  // namespace
 
 Toolpath readRobotProgram(const std::vector<RobotFile>& files, const std::string& part_name) {
@@ -151,11 +157,11 @@ EquippedToolpath readEquippedRobotProgramFile(const std::string& path) {
 
 StatedMotion readRobotMotion(const std::vector<RobotFile>& files, const std::string& part_name,
                              const KinematicModel& arm) {
-  return robotMotionOf(runningFrom(firstOf(files), among(files), part_name), arm);
+  return motionOf(firstOf(files), runningFrom(firstOf(files), among(files), part_name), arm);
 }
 
 StatedMotion readRobotMotionFile(const std::string& path, const KinematicModel& arm) {
-  return robotMotionOf(runningOfFile(path), arm);
+  return motionOf(path, runningOfFile(path), arm);
 }
 
 }  // namespace lamina

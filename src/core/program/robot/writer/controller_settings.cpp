@@ -7,23 +7,10 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/arm/arm_controller.hpp"
+#include "program/robot/robot_cell.hpp"
 
 namespace lamina {
 namespace {
-
-std::string kindOf(RobotLanguage language) {
-  switch (language) {
-    case RobotLanguage::Krl:
-      return "kuka";
-    case RobotLanguage::UrScript:
-      return "ur";
-    case RobotLanguage::Fanuc:
-      return "fanuc";
-    case RobotLanguage::Inform:
-      return "yaskawa";
-  }
-  return "";
-}
 
 template <class Value>
 void takeFromCell(Value& setting, const Value& by_default, const Value& stated, const char* key) {
@@ -37,7 +24,7 @@ void takeFromCell(Value& setting, const Value& by_default, const Value& stated, 
 
 RobotProgramSettings withArmController(RobotProgramSettings settings, RobotLanguage language,
                                        const KinematicModel& arm) {
-  requireControllerKind(arm.urdf(), kindOf(language), toString(language));
+  requireControllerKind(arm.urdf(), controllerKind(language), toString(language));
   const std::optional<ArmController> cell = armController(arm.urdf());
   if (!cell) return settings;
   const RobotProgramSettings plain;
