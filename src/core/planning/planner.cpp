@@ -454,16 +454,23 @@ bool standsOnSupports(const PlanSettings& settings) {
   return settings.supports.use && infillStrategy(settings.infill.strategy).link != LayerLink::Rising;
 }
 
+/// What is planned of all layers together, with what is known of it taken out of the regions.
+StackPlan stackPlan(const std::vector<Layer>& layers, const PlanContext& of_settings, PlanRegions& regions,
+                    Progress& progress) {
+  StackPlan plan;
+  plan.stack = of_settings.lift ? StackCover{std::move(regions.covers), {}, {}}
+                                : stackCover(layers, of_settings, progress);
+  plan.aids = regions.aids ? std::move(*regions.aids)
+                           : planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
+  if (regions.variants != nullptr)
+    plan.variants = variantPlans(layers, *regions.variants, wallContext(of_settings), progress);
+  return plan;
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
                    PlanRegions regions = {}) {
   const PlanContext context = wallContext(of_settings);
-  StackPlan of_stack;
-  of_stack.stack = context.lift ? StackCover{std::move(regions.covers), {}, {}}
-                                : stackCover(layers, of_settings, progress);
-  of_stack.aids = regions.aids ? std::move(*regions.aids)
-                               : planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
-  if (regions.variants != nullptr)
-    of_stack.variants = variantPlans(layers, *regions.variants, context, progress);
+  StackPlan of_stack = stackPlan(layers, of_settings, regions, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
   const std::vector<bool>& is_skin = of_settings.is_skin;

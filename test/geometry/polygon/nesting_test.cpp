@@ -27,7 +27,8 @@ TEST(Nesting, GivesHundredsOfHolesAndIslandsToTheirRegions) {
   std::vector<Polygon> outlines;
   outlines.reserve(801);
   for (int i = 0; i < 400; ++i) {
-    const double x = 4.0 * (i % 20) + 1.0, y = 4.0 * (i / 20) + 1.0;
+    const int row = i / 20;
+    const double x = 4.0 * (i % 20) + 1.0, y = 4.0 * row + 1.0;
     outlines.push_back(reversed(rectangle(x, y, x + 2.0, y + 2.0)));
     outlines.push_back(rectangle(x + 0.5, y + 0.5, x + 1.5, y + 1.5));
   }

@@ -112,8 +112,8 @@ class ShiftSearch {
  private:
   std::vector<Eigen::Vector3d> grid(const Eigen::Vector3d& middle, double step, int steps) const {
     std::vector<Eigen::Vector3d> shifts;
-    const int side = 2 * steps + 1;
-    shifts.reserve(static_cast<std::size_t>(side * side));
+    const auto side = static_cast<std::size_t>(2 * steps + 1);
+    shifts.reserve(side * side);
     for (int u = -steps; u <= steps; ++u)
       for (int v = -steps; v <= steps; ++v)
         shifts.emplace_back(middle + step * (u * axes_.row(0) + v * axes_.row(1)).transpose());
