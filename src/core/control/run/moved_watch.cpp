@@ -112,7 +112,7 @@ class ShiftSearch {
  private:
   std::vector<Eigen::Vector3d> grid(const Eigen::Vector3d& middle, double step, int steps) const {
     std::vector<Eigen::Vector3d> shifts;
-    const auto side = static_cast<std::size_t>(2 * steps + 1);
+    const std::size_t side = 2 * static_cast<std::size_t>(steps) + 1;
     shifts.reserve(side * side);
     for (int u = -steps; u <= steps; ++u)
       for (int v = -steps; v <= steps; ++v)
