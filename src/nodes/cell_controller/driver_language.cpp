@@ -13,18 +13,11 @@ int alarmOfDevice(const std::string& message) {
   return contains(message, names::kGoalEnded) ? 4103 : 4106;
 }
 
-/// The alarm that a drive's end raises. Nobody has given up a job whose node was ended.
+/// The alarm that a drive's end raises.
 int alarmOfDrive(const lamina_msgs::Status& status) {
   using Status = lamina_msgs::Status;
+  if (const auto alarm = alarmOfAnyNode(status)) return *alarm;
   switch (status.code) {
-    case Status::OK:
-      return 0;
-    case Status::CANCELLED:
-      return contains(status.message, names::kNodeEnded) ? 2202 : 0;
-    case Status::DISCONNECTED:
-      return 3101;
-    case Status::TIMED_OUT:
-      return 3105;
     case Status::DEVICE_ERROR:
       return alarmOfDevice(status.message);
     case Status::INVALID_INPUT:

@@ -4,9 +4,27 @@
 
 #include <utility>
 
+#include "lamina/base/text_search.hpp"
 #include "lamina/streaming/job/packml.hpp"
+#include "names.hpp"
 
 namespace lamina {
+
+std::optional<int> alarmOfAnyNode(const lamina_msgs::Status& status) {
+  using Status = lamina_msgs::Status;
+  switch (status.code) {
+    case Status::OK:
+      return 0;
+    case Status::CANCELLED:
+      return contains(status.message, names::kNodeEnded) ? 2202 : 0;
+    case Status::DISCONNECTED:
+      return 3101;
+    case Status::TIMED_OUT:
+      return 3105;
+    default:
+      return std::nullopt;
+  }
+}
 
 ExecutorPhase phaseOf(const lamina_msgs::MachineState& state) {
   switch (static_cast<PackmlState>(state.state)) {

@@ -20,6 +20,10 @@ enum class StateMatch : std::uint8_t {
   SameJob,  ///< those that name its file and are stamped after the order
 };
 
+/// The alarm of an end that is alike for all executors' nodes, 0 for none; nothing if it is the node's own to
+/// tell. Nobody has given up a job whose node was ended.
+std::optional<int> alarmOfAnyNode(const lamina_msgs::Status& status);
+
 /// How what an executor's node says is to be taken.
 struct ExecutorLanguage {
   std::string node;  ///< its name

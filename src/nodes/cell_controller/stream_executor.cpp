@@ -31,18 +31,11 @@ int alarmOfRejection(const std::string& message) {
                                                                                                     : 3106;
 }
 
-/// The alarm that a job's failure raises. Nobody has given up a job whose node was ended.
+/// The alarm that a job's failure raises.
 int alarmOf(const lamina_msgs::Status& status) {
   using Status = lamina_msgs::Status;
+  if (const auto alarm = alarmOfAnyNode(status)) return *alarm;
   switch (status.code) {
-    case Status::OK:
-      return 0;
-    case Status::CANCELLED:
-      return contains(status.message, names::kNodeEnded) ? 2202 : 0;
-    case Status::DISCONNECTED:
-      return 3101;
-    case Status::TIMED_OUT:
-      return 3105;
     case Status::DEVICE_ERROR:
       return contains(status.message, "was reset") ? 3102 : 3106;
     case Status::REJECTED:

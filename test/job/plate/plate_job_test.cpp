@@ -348,9 +348,7 @@ TEST_F(PlateJobTest, StacksLevelsOfATowerBesideLayersOfOtherHeights) {
   for (const char* const height_mm : {"0.3", "0.25", "0.21", "0.2"}) {
     job_.plate.parts.back().settings = {{"slicing.layer_height_mm", height_mm},
                                         {"slicing.first_layer_height_mm", height_mm}};
-    double top_mm = 0.0;
-    double deposited_mm = 0.0;
-    double purged_mm3 = 0.0;
+    double top_mm = 0.0, deposited_mm = 0.0, purged_mm3 = 0.0;
     std::size_t changes = 0;
     std::optional<std::uint32_t> tool;
     for (const ToolpathLayer& layer : run().sliced.toolpath.layers)
