@@ -12,11 +12,13 @@ Without the runner nothing is tested, and the exit code is 77.
 """
 import os
 import re
+import select
 import signal
 import subprocess
 import sys
 import tempfile
 import time
+import tty
 import unittest
 
 LAMINA = os.path.abspath(sys.argv.pop())
@@ -61,9 +63,41 @@ class RealGrbl(unittest.TestCase):
 
     def stream(self, lines, *options):
         streaming = self.begin(lines, *options)
-        output, errors = streaming.communicate(timeout=PATIENCE_S)
+        output, errors = self.finish(streaming, lines)
         self.skip_if_defective(lines, errors)
         return streaming.returncode, output, errors
+
+    def finish(self, streaming, lines):
+        """Output and errors of a streaming that ends by itself. One that waits for a defective grbl does not."""
+        try:
+            return streaming.communicate(timeout=PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            self.skip_if_defective(lines)
+            raise
+
+    def opened_port(self):
+        """The port of a grbl that is at rest and reads."""
+        descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(descriptor)
+        for _ in range(PATIENCE_S):
+            if b"<Idle" in self.say(descriptor, b"?", b">", 1.0):
+                return descriptor
+        self.fail("grbl does not report that it is at rest")
+
+    def say(self, descriptor, words, awaited, patience_s=PATIENCE_S):
+        """What grbl sends until it has sent what is awaited, or until it is silent."""
+        os.write(descriptor, words)
+        heard = b""
+        while awaited not in heard and select.select([descriptor], [], [], patience_s)[0]:
+            heard += os.read(descriptor, 4096)
+        return heard
+
+    def wait_until(self, is_reached):
+        """Waits for what grbl has recorded; the assertions behind it name what is missing."""
+        for _ in range(int(PATIENCE_S / 0.05)):
+            if os.path.exists(self.record) and os.path.exists(self.log) and is_reached():
+                return
+            time.sleep(0.05)
 
     def standing_time(self):
         """The longest time [s] for which grbl has said that it runs, all at one place."""
@@ -131,9 +165,9 @@ class RealGrbl(unittest.TestCase):
         self.run_grbl()
         lines = ["M3 S500"] + steps(0) + ["G1 X5", "G1 X1", "G1 X6", "G1 X2"]
         streaming = self.begin(lines)
-        time.sleep(3.0)
+        self.wait_until(lambda: len(self.ran()) > 4)  # in motion
         streaming.send_signal(signal.SIGINT)
-        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        _, errors = self.finish(streaming, lines)
         self.assertEqual(streaming.returncode, 1, errors)
         self.assertIn("stopped by the user", errors)
         self.assertNotIn("did not confirm", errors)
@@ -149,16 +183,13 @@ class RealGrbl(unittest.TestCase):
         self.run_grbl()
         lines = ["M3 S500"] + steps(0) + ["G1 X5", "G1 X1"] * 20
         streaming = self.begin(lines, "--live")
-        time.sleep(3.0)
+        self.wait_until(lambda: len(self.ran()) > 4)
         streaming.stdin.write("spindle 73\nfeed 121\nrapid 50\nflow 90\n")
         streaming.stdin.flush()
-        for _ in range(300):
-            if self.overrides() == "121,50,73":
-                break
-            time.sleep(0.1)
+        self.wait_until(lambda: self.overrides() == "121,50,73")
         self.assertEqual(self.overrides(), "121,50,73")
         streaming.send_signal(signal.SIGINT)
-        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        _, errors = self.finish(streaming, lines)
         self.assertIn("flow 90: grbl has no flow", errors)
         self.assertNotIn("in time", errors)
         self.assert_ran_the_start_of(lines)
@@ -168,21 +199,15 @@ class RealGrbl(unittest.TestCase):
         lines = steps(120)
         with_layers = lines[:3] + [";LAYER:0"] + lines[3:63] + [";LAYER:1"] + lines[63:]
         streaming = self.begin(with_layers, "--live")
-        for _ in range(300):
-            if os.path.exists(self.record) and len(self.ran()) > 5:
-                break
-            time.sleep(0.05)
+        self.wait_until(lambda: len(self.ran()) > 5)
         streaming.stdin.write("pause_at_layer 1\n")
         streaming.stdin.flush()
-        for _ in range(300):
-            if len(self.ran()) >= 63:
-                break
-            time.sleep(0.1)
-        time.sleep(4.0)
+        self.wait_until(lambda: len(self.ran()) >= 63 or self.standing_time() > STANDING_S)
+        time.sleep(4.0)  # in which no further line may follow
         self.skip_if_defective(lines)
         self.assertEqual(self.assert_ran_the_start_of(lines), 63)
         streaming.stdin.write("resume\n")
-        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        _, errors = self.finish(streaming, lines)
         self.skip_if_defective(lines, errors)
         self.assertEqual(streaming.returncode, 0, errors)
         self.assertIn("holds in front of layer 1", errors)
@@ -193,15 +218,12 @@ class RealGrbl(unittest.TestCase):
         lines = steps(60)
         journal = ("--set", "stream.journal=" + self.record + ".progress")
         killed = self.begin(lines, *journal)
-        for _ in range(300):
-            if os.path.exists(self.record) and len(self.ran()) > 20:
-                break
-            time.sleep(0.05)
+        self.wait_until(lambda: len(self.ran()) > 20)
         killed.kill()
         killed.communicate()
         time.sleep(1.0)
         streaming = self.begin(lines, "--resume", *journal)
-        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        _, errors = self.finish(streaming, lines)
         self.skip_if_defective(lines, errors)
         self.assertEqual(streaming.returncode, 0, errors)
         self.assertEqual(self.assert_ran_the_start_of(lines), len(lines))
@@ -225,10 +247,8 @@ class RealGrbl(unittest.TestCase):
 
     def test_a_laser_whose_beam_would_burn_on_is_reported(self):
         self.run_grbl()
-        descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
-        time.sleep(1.5)
-        os.write(descriptor, b"$32=1\n")
-        time.sleep(0.5)
+        descriptor = self.opened_port()
+        self.say(descriptor, b"$32=1\n", b"ok")
         os.close(descriptor)
         for power, is_reported in (("M3 S10", True), ("M4 S10", False)):
             code, _, errors = self.stream(["G21", "G90", power, "G1 X1 F300", "M5"])
@@ -237,12 +257,12 @@ class RealGrbl(unittest.TestCase):
 
     def test_a_locked_machine_is_unlocked_only_where_that_is_asked_for(self):
         self.run_grbl()
-        descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
-        time.sleep(1.5)
-        os.write(descriptor, b"G1 X50 F60\n")
-        time.sleep(0.5)
-        os.write(descriptor, b"\x18")  # in motion
-        time.sleep(2.0)
+        descriptor = self.opened_port()
+        self.say(descriptor, b"G1 X50 F60\n", b"ok")
+        for _ in range(PATIENCE_S):
+            if b"<Run" in self.say(descriptor, b"?", b">", 1.0):
+                break
+        self.say(descriptor, b"\x18", b"Grbl 1.1")  # in motion
         os.close(descriptor)
         lines = ["G21", "G90", "G1 X1 F300"]
         code, _, errors = self.stream(lines)
