@@ -11,9 +11,9 @@
 namespace lamina {
 
 /// A surface divided into parts along its creases: edges at which it bends by 30 degrees or more. Parts that
-/// meet in a straight crease, such as the sides of a prism, can be unrolled together and stay together, but
-/// never all the way around. If the whole surface seems to unroll, all parts are separated, as the function
-/// is only called for surfaces that cannot be laid flat. A crease that ends inside a part divides nothing.
+/// meet in a straight crease, such as the sides of a prism, stay joined, as they unroll together. A closed
+/// ring of them is cut. All parts are separated if the whole surface appears to unroll: the function is
+/// called only for surfaces that cannot be laid flat. A crease that ends inside a part divides nothing.
 struct Creases {
   std::vector<std::uint32_t> part;  ///< part of each triangle; numbered in the order of first triangles
   std::uint32_t parts = 0;

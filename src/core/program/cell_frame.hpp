@@ -16,7 +16,7 @@ bool isSameCellFrame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
 /// The frame as text for messages: "(x, y, z) mm, w x y z ...".
 std::string shownCellFrame(const Eigen::Isometry3d& frame);
 
-/// Whether two loads are one, as far as statements have digits: within 1 g, their centres within 0.002 mm.
+/// Whether two loads are equal within the precision of programs: 1 g, their centres within 0.002 mm.
 bool isSameLoad(const ToolLoad& one, const ToolLoad& other);
 
 /// The load as text for messages: "2.5 kg with its centre at (0, 0, 100) mm".

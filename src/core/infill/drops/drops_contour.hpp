@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// Contours of drops, one inside the other until the regions are filled.
-/// @throws InvalidInput if a distance is not positive or too small for the regions
+/// @throws InvalidInput if a distance between drops is not positive, or is too small for the regions
 std::vector<FillPath> dropsContour(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// An arm of five rotary joints, alone or with external axes, solved as one of six with a joint that it does
-/// not have.
+/// An arm of five rotary joints, alone or with external axes. The solver treats it as a six-joint arm with
+/// one fictitious joint.
 ///
-/// If its tool axis is not along axis 5, that joint turns the nozzle about its tool axis and may be anywhere:
-/// solutions have the tip and the tool axis of a pose. If the tool axis is along axis 5, as of a nozzle below
-/// the flange, joint 5 turns the nozzle about it, and the missing joint tilts it out of the plane of the arm:
-/// only poses that need no such tilt, within 1e-5 rad, have solutions, such as those with a vertical tool
-/// axis.
+/// If the tool axis is not along axis 5, the fictitious joint turns the nozzle about its tool axis. Its angle
+/// is free: solutions have the tip and the tool axis of a pose. If the tool axis is along axis 5, as of a
+/// nozzle below the flange, joint 5 turns the nozzle about it. The fictitious joint then tilts the nozzle out
+/// of the plane of the arm. Only poses without that tilt have solutions, within 1e-5 rad, such as those with
+/// a vertical tool axis.
 class FiveAxisArm : public ArmModel {
  public:
   explicit FiveAxisArm(ArmChain chain);

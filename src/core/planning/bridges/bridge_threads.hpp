@@ -16,10 +16,11 @@ struct ThreadLayout {
   double anchor_mm = 1.0;  ///< length of threads on the material that holds them
 };
 
-/// Straight threads side by side over an unsupported piece. Each extends onto the layer below by the anchor;
-/// where that layer ends earlier at another gap, to the middle between the two gaps. All stay within the
-/// walls. Neighbours that end beside each other, at least a spacing on what holds them, are joined there to a
-/// run to and fro. Joined ends are cut by half a spacing, so that the run deposits as much as they would.
+/// Straight threads side by side over an unsupported piece. Each extends onto the layer below by the anchor.
+/// If another gap is nearer than the anchor, the thread ends midway between the gaps. All stay within the
+/// walls. Neighbouring threads are joined into one zigzag run if their ends are adjacent and rest on at least
+/// one spacing of material. Joined ends are cut by half a spacing: the run deposits the volume of the
+/// separate threads.
 /// @param piece   [mm]
 /// @param below   material of the layer below: does not overlap the piece
 /// @param inside  walls

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// The settings for planning the first layer, with its beads, pitches and feeds.
+/// Returns the settings with the beads, pitches and feeds of the first layer.
 PlanSettings onBed(PlanSettings settings);
 
 /// Scales the volume of a layer's beads, which keep their heights. A factor of 1 changes nothing.

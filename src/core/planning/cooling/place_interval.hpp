@@ -7,9 +7,9 @@
 namespace lamina {
 
 /// Makes sure that at least the least layer time passes between leaving an island and depositing the island
-/// above it. The islands of a layer are deposited in the order in which those below them were left; before an
-/// island the nozzle waits for the time still missing. Feeds are not changed. The order is not changed either
-/// if paths have part marks, tools change, or layers are not plane.
+/// above it. Islands are deposited in the order in which the islands below were finished. Before an island
+/// the nozzle waits for the remaining time. Feeds are not changed. The order is not changed either if paths
+/// have part marks, tools change, or layers are not plane.
 CoolingSummary leavePlacesAlone(Toolpath& toolpath, const CoolingSettings& settings,
                                 const MotionLimits& limits, Progress& progress);
 

@@ -18,7 +18,7 @@ namespace lamina {
 /// How a process value begins where a run starts, or ends where it ends.
 struct LevelEnd {
   double share = 1.0;    ///< of the value, at that end
-  double over_mm = 0.0;  ///< length between that share and the whole value
+  double over_mm = 0.0;  ///< length of the ramp from the share to the whole value
   double hold_s = 0.0;   ///< time for which the share is held at that end
 };
 
@@ -39,7 +39,7 @@ struct LevelCondition {
   std::optional<PathRole> role;
   std::vector<double> layers;  ///< the first and the last, by index from 0; empty for all
   std::vector<double> z_mm;    ///< lowest and highest top of layers; empty for all
-  double corner_mm = 0.0;      ///< greatest way from a corner; 0 for anywhere
+  double corner_mm = 0.0;      ///< greatest distance from a corner; 0 for no limit
 };
 
 enum class LevelLaw : std::uint8_t {
@@ -57,9 +57,9 @@ enum class LevelLaw : std::uint8_t {
 struct ChannelChange {
   std::string channel;
   LevelLaw law = LevelLaw::Constant;
-  double value = 0.0;                             ///< constant, factor or that of the first layer
-  double last = 0.0;                              ///< that `Approach` leads to
-  double layers = 1.0;                            ///< after which 63 % of the difference is gone
+  double value = 0.0;                             ///< constant, factor, or value at the first layer, by `law`
+  double last = 0.0;                              ///< value that `Approach` leads to
+  double layers = 1.0;                            ///< in which `Approach` covers 63 % of the difference
   std::vector<std::pair<double, double>> points;  ///< of a table, in order
 };
 
@@ -87,7 +87,8 @@ struct RuledLevel {
 
 /// The channels of the settings, in the order of `levels.values`.
 /// @throws InvalidConfig naming key and value as `statedLevels`; if `levels.channels` names another channel,
-///   an unknown key, or bounds that contradict each other; if powder follows from the bead without density
+///   an unknown key, or bounds that contradict each other; if powder is computed from the bead and no density
+///   is given
 std::vector<LevelChannel> levelChannels(const LevelSettings& settings);
 
 /// The rules of the settings, in their order.
@@ -95,7 +96,8 @@ std::vector<LevelChannel> levelChannels(const LevelSettings& settings);
 ///   channel that is not in `levels.values`
 std::vector<LevelRule> levelRules(const LevelSettings& settings);
 
-/// The value of a channel on a motion, by its stated value and the rules, of which later ones win.
+/// The value of a channel on a motion: the stated one, changed by the rules. Later rules override earlier
+/// ones.
 RuledLevel ruledLevel(const LevelChannel& channel, const std::vector<LevelRule>& rules,
                       const LevelPlace& place);
 

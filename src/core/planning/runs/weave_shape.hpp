@@ -17,7 +17,7 @@ struct WavePlace {
 /// The offset at a phase of the wave [waves].
 WavePlace wavePlace(const WeaveSettings& settings, double waves);
 
-/// Phases at which half a wave has waypoints, without its first one [waves].
+/// Phases of the waypoints of half a wave, except the first [waves].
 std::vector<double> halfWavePhases(const WeaveSettings& settings, double wavelength_mm);
 
 /// Greatest offsets of the tip ahead of the centre line's point and behind it, as shares of the amplitude.

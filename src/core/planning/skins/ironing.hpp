@@ -18,7 +18,7 @@ bool laysInOneSense(const SkinSettings& settings, PathRole role);
 std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& settings, double angle_rad);
 
 /// The bead of ironing [mm]: as high as the layer, and as narrow as the flow requires. It lies within
-/// material that is there already, so that measures of areas count no more than its volume.
+/// material that is there already: measures of areas count its volume only.
 Bead ironingBead(const IroningSettings& settings, double layer_height_mm);
 
 }  // namespace lamina

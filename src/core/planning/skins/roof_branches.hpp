@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// Branches in each layer that support the skins of the layers above (`branchesUnderRoofs`): solid material
-/// that lies on the area of the infill, between the walls.
+/// Branches in each layer that support the skins of the layers above (`branchesUnderRoofs`). Skins here are
+/// solid areas over the infill, between the walls.
 /// @param covers      of each layer, from the bottom
 /// @param heights_mm  of each layer
 /// @param place       where the layers may lie

@@ -14,8 +14,8 @@ namespace lamina {
 
 /// The layers of a lattice.
 struct LatticePlace {
-  double layer_height_mm = 0.0;  ///< height for which the densities give the spacing of lines in all layers
-  Point2 away = Point2::Zero();  ///< by which layers were moved towards the origin [mm]
+  double layer_height_mm = 0.0;  ///< at which densities are converted to the spacing of lines, for all layers
+  Point2 away = Point2::Zero();  ///< shift towards the origin already applied to the layers [mm]
   /// Regions whose supports have densities, angle and loops of their own; null for none.
   const std::vector<PlanVariant>* variants = nullptr;
 };

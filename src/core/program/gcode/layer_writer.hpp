@@ -45,7 +45,7 @@ class LayerWriter {
     std::int64_t filament = 0;       ///< sum of all E so far
     double filament_mm = 0.0;        ///< that sum before rounding
     Point3 shift = Point3::Zero();   ///< shift of the axes for the tool in use
-    bool is_depositing = false;  ///< whether it deposits or retracts; written only where E does not show it
+    bool is_depositing = false;      ///< state of the process; written only if E does not imply it
   };
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
