@@ -15,7 +15,7 @@
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/program_file.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/gcode/early_end.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/nozzle_csv.hpp"

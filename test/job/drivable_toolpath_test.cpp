@@ -8,7 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/toolpaths.hpp"

@@ -14,7 +14,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "support/grown_parts.hpp"
 #include "support/scoped_entry.hpp"

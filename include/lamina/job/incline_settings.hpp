@@ -8,7 +8,7 @@
 
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/job/incline_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 
 namespace lamina {
 

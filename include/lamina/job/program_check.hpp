@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 
 namespace lamina {
 

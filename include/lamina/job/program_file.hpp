@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/program/stated_motion.hpp"

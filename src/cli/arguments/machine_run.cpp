@@ -9,7 +9,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/program_file.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/planning/tools/tool_settings.hpp"
 #include "profile_options.hpp"
 #include "toolpath_input.hpp"

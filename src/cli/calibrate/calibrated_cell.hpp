@@ -11,7 +11,7 @@
 #include "lamina/calibration/calibration_settings.hpp"
 #include "lamina/calibration/flow_trial.hpp"
 #include "lamina/calibration/sensor_recording.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "subcommand.hpp"
 

@@ -13,7 +13,7 @@
 #include "arguments/machine_run.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/seen_bodies.hpp"
 #include "lamina/picture/bead_solid.hpp"

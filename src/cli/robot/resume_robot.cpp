@@ -15,7 +15,7 @@
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/rapid/reader/rapid_reader.hpp"
 #include "lamina/program/rapid/writer/rapid_writer.hpp"
 #include "lamina/program/remaining_motion.hpp"

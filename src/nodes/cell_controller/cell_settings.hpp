@@ -10,7 +10,7 @@
 #include "lamina/cell/plc_watch.hpp"
 #include "lamina/cell/queue_follower.hpp"
 #include "lamina/job/drivable_toolpath.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 
 namespace lamina {
 

@@ -5,7 +5,7 @@
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/deposition/deposition_settings.hpp"
 #include "lamina/deposition/path_follower.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/program_settings.hpp"
 
 namespace lamina {

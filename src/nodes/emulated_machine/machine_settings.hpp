@@ -7,7 +7,7 @@
 
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/deposition/grown_deposit.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 

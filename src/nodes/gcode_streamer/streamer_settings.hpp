@@ -7,7 +7,7 @@
 #include "correction_settings.hpp"
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/gcode_rewrite/dry_run.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/startup/startup_settings.hpp"
 #include "lamina/streaming/session/stream_session.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lamina/base/settings_schema.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/servo/servoj_drive.hpp"
 
 namespace lamina {

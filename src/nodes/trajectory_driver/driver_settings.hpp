@@ -9,7 +9,7 @@
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/job/run_settings.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/trajectory/approach.hpp"
 #include "lamina/trajectory/jog_settings.hpp"
 #include "lamina/trajectory/trajectory_feeder_settings.hpp"

@@ -6,7 +6,7 @@
 
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/job/run_settings.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/program_settings.hpp"
 
 namespace lamina {

@@ -12,7 +12,7 @@
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 #include "support/scratch_folder.hpp"
 

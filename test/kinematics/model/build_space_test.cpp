@@ -9,7 +9,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -6,7 +6,7 @@
 #include <ros/ros.h>
 
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "names.hpp"
 #include "ros/set_time.hpp"
 #include "ros/wait_until.hpp"

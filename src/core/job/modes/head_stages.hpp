@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/slicing/volumetric/head_room.hpp"
 
 namespace lamina {

@@ -8,8 +8,8 @@
 #include "conversions.hpp"
 #include "drive_session.hpp"
 #include "file/waypoint_count.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
 #include "lamina/kinematics/joint_path/motion_division.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "messages.hpp"
 
 namespace lamina {

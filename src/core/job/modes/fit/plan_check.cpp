@@ -9,7 +9,7 @@
 
 #include "job/joint_program.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine_settings.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 
 namespace lamina {
 namespace {
