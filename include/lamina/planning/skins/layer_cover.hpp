@@ -30,7 +30,8 @@ struct LayerCover {
 /// the infill is sparse, of beads, and stays in its layer.
 bool takesSkins(const PlanSettings& settings);
 
-/// How many layers of one height a skin counts: those asked for, or as many as are that thick.
+/// Number of layers in a skin if all have the same height: the greater of the number asked for and the number
+/// that reaches the thickness.
 std::size_t skinCount(int layers, double thickness_mm, double layer_height_mm);
 
 /// The cover, moved in the plane of the layers [mm].
