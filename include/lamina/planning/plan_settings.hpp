@@ -49,7 +49,7 @@ struct InfillSettings {
   double alternation_deg = 90.0;  ///< angle added from one layer to the next
   double wall_overlap = 0.15;     ///< overlap of infill with the innermost wall, in bead widths
   int every_layers = 1;  ///< sparse infill is deposited in every n-th layer, in beads as high as n layers
-  LineLinks links;       ///< of sparse infill
+  LineLinks links;       ///< links between lines of sparse infill
 };
 
 /// Solid layers where the part is visible from above or below, beside a sparse infill.
@@ -103,8 +103,8 @@ struct VoidSettings {
 
 struct SkirtSettings {
   int count = 1;
-  double distance_mm = 4.0;  ///< from part, brim, raft and supports
-  int layers = 1;            ///< number of layers with a skirt: all of them for a wind shield
+  double distance_mm = 4.0;  ///< distance from part, brim, raft and supports
+  int layers = 1;            ///< number of layers with a skirt; all layers for a wind shield
   /// Least total length of the loops in the first layer; loops are added until it is reached.
   double least_length_mm = 0.0;
 };

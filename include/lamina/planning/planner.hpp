@@ -113,8 +113,7 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// toolpath is lifted.
 /// @param layers  the flat plans, with the heights of their beads
 /// @throws as `planToolpath`, and what `lifting.lift` throws; InvalidConfig for strategies that rise from
-/// layer to
-///         layer
+///   layer to layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerLifting& lifting, Progress& progress);
 

@@ -15,7 +15,7 @@ struct BridgeSearch {
 
 /// A direction of the threads over a piece, and how well they are held.
 struct BridgeDirection {
-  double angle_rad = 0.0;  ///< from x, within [0, pi)
+  double angle_rad = 0.0;  ///< angle of the threads from x, within [0, pi)
   double held = 0.0;  ///< share of all threads' length in the piece that belongs to threads held at both ends
   double span_mm = 0.0;  ///< longest free span of a held thread, beyond the piece too
 };
@@ -30,7 +30,7 @@ struct BridgeDirection {
 BridgeDirection bridgeDirection(const Region& piece, const Regions& below, const BridgeSearch& search);
 
 /// The given direction, and how well threads along it are held.
-/// @param angle_rad  from x
+/// @param angle_rad  angle of the threads from x
 BridgeDirection bridgeAlong(double angle_rad, const Region& piece, const Regions& below,
                             const BridgeSearch& search);
 

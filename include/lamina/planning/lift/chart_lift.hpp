@@ -57,7 +57,7 @@ LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planne
 
 /// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level and stay as planned.
 /// @param layers  charts of each layer; must outlive the result
-/// @param highest_mm  for each layer, as for `liftOnto`
+/// @param highest_mm  value of `liftOnto` for each layer
 /// @throws InvalidInput if `highest_mm` has another size than `layers`; the result throws as `liftOnto`
 LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vector<double> highest_mm,
                     const LiftSettings& settings, const TravelSettings& travel);

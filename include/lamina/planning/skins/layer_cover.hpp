@@ -39,8 +39,8 @@ LayerCover moved(const LayerCover& cover, const Point2& by);
 
 /// The cover of each layer. Equal layers share their regions and cost nothing. Any other layer costs a few
 /// intersections, independent of the number of skin layers, by a window that slides over the stack.
-/// @param material    of each layer, from the bottom
-/// @param heights_mm  of each layer
+/// @param material    material of each layer, from the bottom
+/// @param heights_mm  height of each layer
 /// @return one per layer; the same for any number of threads
 std::vector<LayerCover> coversOf(std::vector<Regions> material, const std::vector<double>& heights_mm,
                                  const SkinSettings& settings, Progress& progress);

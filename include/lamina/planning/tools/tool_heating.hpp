@@ -11,7 +11,7 @@ namespace lamina {
 
 /// Where and within what limits tools are heated.
 struct ToolHeatingSite {
-  double nozzle_temperature_c = 0.0;  ///< of tools without a temperature of their own
+  double nozzle_temperature_c = 0.0;  ///< temperature of tools without a temperature of their own
   MotionLimits limits;
   CoolingSettings parking;  ///< lift and place of parking
 };
