@@ -17,8 +17,7 @@ namespace lamina {
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to, or if the name is that of a folder, a device, a
-  /// pipe
-  ///   or a socket, which a file would take the place of
+  ///   pipe or a socket, which a file would replace
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -28,8 +27,9 @@ class AtomicFile {
   void write(std::string_view bytes);
 
   /// Closes the file and makes it visible under its name. The file is not forced to the disk, which would
-  /// take 3 ms to 16 ms, while slicing a small part takes 20 ms. So after a loss of power it may be missing,
-  /// empty or the earlier one. Files that must survive that are written by `writeDurably`, or synchronised.
+  /// take 3 ms to 16 ms, while slicing a small part takes 20 ms. After a loss of power the file may be
+  /// missing, empty or the earlier one. Files that must survive a loss of power are written by
+  /// `writeDurably`, or synchronised.
   /// @throws FileError if that fails; an earlier file of that name is then unchanged
   void commit();
 
@@ -42,7 +42,7 @@ class AtomicFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Writes a file completely, or leaves an earlier one of that name as it was.
+/// Writes a file completely, or leaves an earlier file of that name as it was.
 /// @throws FileError if it cannot be written
 void writeFile(const std::string& path, std::string_view bytes);
 
@@ -50,7 +50,7 @@ void writeFile(const std::string& path, std::string_view bytes);
 /// @throws FileError if it cannot be opened, or the disk refuses
 void synchronise(const std::string& path);
 
-/// Writes a file as `writeFile` does, such that it survives a loss of power once this has returned.
+/// Writes a file as `writeFile` does, such that it survives a loss of power once the function has returned.
 /// @throws FileError if it cannot be written, or be forced to the disk
 void writeDurably(const std::string& path, std::string_view bytes);
 

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Interface through which time is read: a real clock in production, one set by hand in tests.
+/// Interface through which time is read: a real clock in production, a clock set by hand in tests.
 class Clock {
  public:
   virtual ~Clock() = default;

@@ -14,12 +14,14 @@ class HeldSignals;
 /// Greatest size of a file of settings, of a description or of a plate [bytes].
 inline constexpr std::size_t kMostSettingsBytes = std::size_t{64} << 20;
 
-/// How much of a file may be held in memory [bytes]: 80 % of what is available, and a third of that of what
-/// has no size, such as a pipe, for what grows is moved to twice its room while it is still there.
-/// @param size  of the file [bytes]; 0 if it has none
+/// Greatest number of bytes of a file that may be held in memory: 80 % of the available memory; a third of
+/// that for a file without a size, such as a pipe, as a growing buffer is copied to a buffer of twice its
+/// size.
+/// @param size  size of the file [bytes]; 0 if it has none
 std::size_t mostBytesInMemory(double available_bytes, std::size_t size);
 
-/// What is no regular file, with its article, by the mode that the system states: "a folder", "a pipe".
+/// Kind of a file that is not regular, with its article, by the mode that the system states: "a folder", "a
+/// pipe".
 const char* kindOfFile(unsigned mode);
 
 /// A file open for reading from its start, for files that are too large to be held as a whole.
@@ -27,8 +29,8 @@ const char* kindOfFile(unsigned mode);
 /// Only regular files are opened, so that reading neither waits for a pipe nor reads a device without end;
 /// `/dev/stdin` and `/dev/fd/N` may also be a pipe, a socket or a device. A signal that arrives while a pipe
 /// is waited for ends the wait. SIGINT, SIGTERM and SIGHUP end the reading, wherever the bytes come from:
-/// from the first `read` to the end of the file the thread that reads hears them in `read` only. That thread
-/// also ends the object.
+/// from the first `read` to the end of the file the reading thread receives them in `read` only. The same
+/// thread must destroy the object.
 class InputFile {
  public:
   /// @throws FileError if it does not exist, cannot be read, or is not a regular file; the message states
@@ -38,14 +40,13 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Size [bytes] when the file was opened; 0 for what has no size, such as a pipe.
+  /// Size [bytes] when the file was opened; 0 for a file without a size, such as a pipe.
   std::size_t size() const { return size_; }
 
   /// Reads the next bytes into the buffer: `count` of them, fewer only at the end of the file.
   /// @return number of bytes read
   /// @throws FileError if it cannot be read; Cancelled if a signal arrived since the last call, or while a
-  /// pipe
-  ///   was waited for
+  ///   pipe was waited for
   std::size_t read(char* buffer, std::size_t count);
 
   /// The bytes `read_before`, which were read earlier, followed by the rest of the file. All of it may take
@@ -65,9 +66,8 @@ class InputFile {
   std::unique_ptr<const HeldSignals> held_;  ///< while the file is being read
 };
 
-/// The path as it is, or, where no such file is, that of the file in its folder whose name differs in the
-/// case of ASCII letters alone, as controllers write names in capitals; the first in order where there are
-/// several.
+/// The path as it is or, if there is no such file, the path of the file in the same folder whose name differs
+/// in the case of ASCII letters only, as controllers write names in capitals. Of several, the first in order.
 /// @throws FileError that names the file and the reason, if its folder cannot be listed
 std::string pathInAnyCase(const std::string& path);
 

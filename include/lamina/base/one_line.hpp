@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// The text with a space in place of each control character, so that it fits on one line.
+/// The text with a space in place of each control character: one line.
 inline std::string oneLine(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');

@@ -12,8 +12,8 @@ namespace lamina {
 using PlaceholderValue = std::function<std::string(const std::string& name)>;
 
 /// The lines with each placeholder, a name in braces, replaced by its value, and a line end after every line.
-/// Lines with a placeholder of which the value is empty are left out.
-/// @param key  of the setting from which the lines are, for errors
+/// Lines with a placeholder whose value is empty are left out.
+/// @param key  key of the setting that holds the lines, for errors
 /// @throws InvalidConfig if a brace is not closed; what `value` throws
 std::string expandPlaceholders(const std::string& key, const std::string& lines,
                                const PlaceholderValue& value);

@@ -24,8 +24,8 @@ class Plugin {
 ///     extern "C" int lamina_plugin_interface() { return lamina::kPluginInterface; }
 ///     extern "C" void lamina_register();
 ///
-/// and calls the latter, which adds its entries to the registries. It stays loaded until the process ends; a
-/// plug-in that is already loaded is skipped. Call this before jobs run.
+/// and calls `lamina_register`, which adds the entries of the plug-in to the registries. The library stays
+/// loaded until the process ends; a plug-in that is already loaded is skipped. Call this before jobs run.
 /// @throws FileError if there is no such library, or it cannot be loaded
 /// @throws InvalidInput if it does not export both functions, or was built for another interface
 /// @throws what `lamina_register` throws, with the path

@@ -13,7 +13,7 @@ class Progress {
   virtual ~Progress() = default;
 
   /// @param stage     what is being done, in one or two words ("slice", "plan")
-  /// @param fraction  done of this stage, 0 to 1
+  /// @param fraction  completed share of this stage, 0 to 1
   virtual void report(const std::string& stage, double fraction) = 0;
 
   virtual bool isCancelled() const = 0;

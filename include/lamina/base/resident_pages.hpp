@@ -7,9 +7,9 @@
 namespace lamina {
 
 /// Releases the memory in which the files of the program and its libraries are mapped read-only: code,
-/// constants and symbol names. Pages that are used again are mapped again from the system's file cache, so
-/// that what only the start needed takes no memory during the work after it. Code stays in a process that is
-/// being debugged, since debuggers write into it.
+/// constants and symbol names. Pages that are used again are mapped again from the system's file cache. Pages
+/// that only the start needed take no memory during later work. Code stays in a process that is being
+/// debugged, since debuggers write into it.
 ///
 /// Meant to be called once before long work, from any thread; it changes nothing but the memory in use.
 ///

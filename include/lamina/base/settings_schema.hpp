@@ -58,7 +58,7 @@ class SettingsSchema {
   /// A text that must be one of `choices`.
   void choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
               const std::string& meaning);
-  /// A value of an enumeration, as text its name in `choices`.
+  /// A value of an enumeration; its text is the name in `choices`.
   template <class Enum>
   void choice(const std::string& key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               const std::string& meaning);

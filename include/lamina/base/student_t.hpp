@@ -22,8 +22,8 @@ struct StudentTest {
 };
 
 /// Compares two means; the probability is one-sided. The standard error of the difference is the sum of both
-/// standard errors, not the pooled one, since the printed values of t fit that [Sobreviela2014, tables 6.1
-/// and 6.2].
+/// standard errors, not the pooled error, since the printed values of t fit this sum [Sobreviela2014, tables
+/// 6.1 and 6.2].
 /// @throws InvalidInput if a sample has fewer than two values, or both standard deviations are 0
 StudentTest compareMeans(const Sample& a, const Sample& b);
 

@@ -37,7 +37,7 @@ std::string listed(const std::vector<std::string>& names, std::string_view separ
 std::vector<std::string> splitIntoWords(const std::string& text);
 
 /// A count of things as the subject of a sentence, with the verb: "1 layer was", "3 layers were".
-/// @param noun  in the singular, with a plural in -s
+/// @param noun  noun in the singular, with a plural in -s
 std::string countedSubject(std::size_t count, const std::string& noun);
 
 /// The words of a text, wrapped into lines of at most `longest_line` characters. A longer word has a line of

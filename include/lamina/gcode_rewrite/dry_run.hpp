@@ -39,8 +39,8 @@ struct GcodeWordText;
 
 /// Turns a G-code program into one with the same motions but without the process. Extruder words are removed,
 /// and so are commands for heaters (with their waits), fans, lasers, spindles, coolant, tool changes and
-/// firmware retraction. G and M codes that switch something off stay, but not `M103` and `M127`; those that
-/// switch a laser or spindle on are replaced by one that switches it off. Only commands that are known to
+/// firmware retraction. G and M codes that switch something off stay, but not `M103` and `M127`; codes that
+/// switch a laser or spindle on are replaced by a code that switches it off. Only commands that are known to
 /// switch nothing on are kept; a macro of unknown effect is removed or refused. Feed words stay, also those
 /// of extruder-only motions, because feeds are modal.
 class DryRun {
@@ -50,7 +50,7 @@ class DryRun {
 
   /// The line to be run instead of a line of the program; nothing if all of it was removed. Comments after a
   /// semicolon stay.
-  /// @param text  lines have to be given in their order
+  /// @param text  next line of the program; lines must be passed in order
   /// @throws InvalidProgram naming the line if a motion cannot be read; if a G code is not known, as it may
   ///   change how later motions are read; if a motion has an S that may make it a homing motion; or if an
   ///   unknown command is to be refused

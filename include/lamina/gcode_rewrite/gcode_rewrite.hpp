@@ -19,8 +19,8 @@ struct ProgramFiles {
 
 /// The maps by which the points of a program are transformed. They must outlive the transformation.
 struct Maps {
-  const SpaceMap& map;  ///< from coordinates as sliced to positions over the bed; lift and shift follow
-  /// From positions over the bed to coordinates of the machine's axes; null if these are the same.
+  const SpaceMap& map;  ///< map from sliced coordinates to positions over the bed; lift and shift follow
+  /// Map from positions over the bed to coordinates of the machine's axes; null if both are the same.
   const SpaceMap* axes = nullptr;
 };
 

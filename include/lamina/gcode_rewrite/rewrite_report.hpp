@@ -21,14 +21,14 @@ struct RewriteReport {
   std::size_t homings_annulled = 0;  ///< number of G28 that became comments
   /// Number of motions of skirt, brim, raft, support and priming tower left out.
   std::size_t aids_dropped = 0;
-  double layer_height_mm = 0.0;   ///< as set or as the comments state it; 0 if neither
+  double layer_height_mm = 0.0;  ///< layer height of the settings or of the comments; 0 if neither states one
   Point3 shift = Point3::Zero();  ///< shift after the map [mm]
-  /// Box of the surface on which the part stands: of the ends of deposition at most a layer height above the
-  /// lowest one [mm]. If the mesh was not tilted before it was sliced, the part stands on an edge, and this
-  /// box is narrow.
+  /// Box of the surface on which the part stands: bounding box of the ends of deposition at most a layer
+  /// height above the lowest end [mm]. If the mesh was not tilted before it was sliced, the part stands on an
+  /// edge, and this box is narrow.
   Box3 footprint;
   /// How far the lowest bead of the part's first layer begins above the bed; 0 in the mode `Listing`. Above
-  /// that gap the first layer, and all others on it, are laid in mid-air.
+  /// that gap the first layer, and all layers on it, are deposited in mid-air.
   double first_layer_gap_mm = 0.0;
   Box3 part;                              ///< box of the ends of deposition, over the bed [mm]
   double tool_axis_off_normal_deg = 0.0;  ///< angle between the nozzle and the normal of the layers
@@ -41,10 +41,10 @@ struct RewriteReport {
 bool standsOnEdge(const RewriteReport& report);
 
 /// Whether nothing holds the first layer: it begins above the bed by more than two layer heights, about the
-/// width of a bead. So does a part that is round or level where its layers begin.
+/// width of a bead. This is also so for a part that is round or level where its layers begin.
 bool beginsInAir(const RewriteReport& report);
 
-/// What a user should know of a first layer that begins in mid-air; empty if it does not.
+/// A note for the user on a first layer that begins in mid-air; empty if it does not.
 std::string noticeOnFirstLayer(const RewriteReport& report);
 
 /// Greatest angle between tool axis and normal of the layers that is neglected [deg]; heads are built far

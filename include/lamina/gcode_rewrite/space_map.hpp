@@ -55,7 +55,7 @@ class AffineMap final : public SpaceMap {
 AffineMap operator*(const AffineMap& after, const AffineMap& before);
 
 /// Right-handed rotation about an axis through the origin.
-/// @param axis  of any length
+/// @param axis  direction of the axis, of any length
 /// @throws InvalidInput if the axis is not longer than 1e-9
 AffineMap rotation(const Point3& axis, double angle_deg);
 

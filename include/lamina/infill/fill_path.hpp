@@ -20,7 +20,7 @@ struct FillPath {
   std::vector<double> width_mm;
 };
 
-/// The point at which the run ends: its first one if it is closed.
+/// The last point of the run; the first point if the run is closed.
 const Point2& lastPoint(const FillPath& path);
 
 /// The same run in the opposite direction.

@@ -18,8 +18,8 @@ namespace lamina {
 
 /// In which order the lines of a solid zigzag are deposited.
 enum class LineAdvance {
-  Shortest,  ///< such that travels are short
-  /// Each only next to earlier lines on one side, so that none is deposited between two earlier ones.
+  Shortest,  ///< in the order of the shortest travels
+  /// Each line has earlier lines on one side only; no line is deposited between two earlier lines.
   OneSense,
 };
 
@@ -27,22 +27,22 @@ enum class LineAdvance {
 struct InfillRequest {
   /// Distance of the centre lines of neighbouring lines; equal to the pitch if the fill is solid.
   double spacing_mm = 0.4;
-  double pitch_mm = 0.4;   ///< plan width that a bead of nominal cross-section fills
-  double angle_rad = 0.0;  ///< direction of the raster, from x counter-clockwise
-  double turn_rad = 0.0;   ///< share of `angle_rad` by which this layer is rotated relative to the first one
+  double pitch_mm = 0.4;          ///< plan width that a bead of nominal cross-section fills
+  double angle_rad = 0.0;         ///< direction of the raster, from x counter-clockwise
+  double turn_rad = 0.0;          ///< part of `angle_rad` that rotates this layer relative to the first layer
   Point2 start = Point2::Zero();  ///< position from which the nozzle comes
   /// Index of the layer, from 0; for random seeds, and for fills that change from layer to layer.
   std::size_t layer = 0;
   std::size_t island = 0;  ///< index within the layer, from 0: for random seeds
-  /// Pose in the part of the plane z = 0 in which the regions lie [mm], for patterns in space. Layers that
-  /// were laid out flat keep the height and the directions of their plan.
+  /// Pose of the regions' plane z = 0 in the part [mm], for patterns in space. Layers that were laid out flat
+  /// keep the height and the directions of their plan.
   Eigen::Isometry3d part_from_plan = Eigen::Isometry3d::Identity();
   LineLinks links;
   LineAdvance advance = LineAdvance::Shortest;
   /// Branches in this layer of a fill that grows from the layers above (`FillGrowth`); null if they are not
   /// known.
   const std::vector<Polyline>* branches = nullptr;
-  FillSettings settings;  ///< settings of the single strategies
+  FillSettings settings;  ///< settings of all strategies
 };
 
 /// Whether the fill is solid: the spacing of the lines is the pitch.
@@ -56,9 +56,9 @@ double longestLink(const InfillRequest& request, double step_mm);
 /// Height of the layer [mm], along its normal from the part's origin.
 double heightOf(const InfillRequest& request);
 
-/// Fills regions with beads or drops: centre lines keep a distance from the border of half a pitch if their
-/// beads have the nominal width, otherwise of half the bead's width. No regions give no runs. The same
-/// regions give the same runs.
+/// Fills regions with beads or drops: the distance from the border to a centre line is half a pitch for a
+/// bead of nominal width, otherwise half the bead's width. No regions give no runs. The same regions give the
+/// same runs.
 using FillFunction =
     std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
 
@@ -71,7 +71,7 @@ enum class RunOrder {
 /// How the fill of a layer is connected with that of the next one.
 enum class LayerLink {
   Travel,   ///< by a travel
-  Chained,  ///< the closed run of a layer is opened where that of the layer below ended, and joined to it
+  Chained,  ///< the closed run of a layer is opened where the run below ended, and joined to the run below
   Rising,   ///< the loops of all layers become one that rises steadily
 };
 
@@ -84,14 +84,14 @@ enum class FillGrowth {
 /// Whether the ends of a fill overlap the walls around it.
 enum class WallContact {
   Overlapping,  ///< they do, by `infill.wall_overlap`
-  Fitted,       ///< if sparse; a solid fill is as wide as the area within the walls
+  Fitted,       ///< a sparse fill overlaps; a solid fill is as wide as the area within the walls
   Beside,       ///< they do not
 };
 
 /// How the beads of a solid fill lie in its area.
 enum class SolidFit {
-  Fitted,   ///< as far as its border, their widths fitted to the room there
-  InCells,  ///< in equal cells, which leave open what they do not fit into
+  Fitted,   ///< up to the border, with their widths fitted to the room there
+  InCells,  ///< in equal cells; areas in which no cell fits stay open
 };
 
 /// An infill strategy, with the properties that the planner needs to know.
@@ -100,14 +100,14 @@ struct InfillStrategy {
   RunOrder order = RunOrder::Shortest;
   LayerLink link = LayerLink::Travel;
   WallContact contact = WallContact::Beside;
-  /// If drops, they fill the whole section, without walls and skirt, which are of beads.
+  /// Drops fill the whole section, without walls and skirt, as these are beads.
   Deposit deposit = Deposit::Bead;
   /// Share of the volume of a sparse fill that is deposited twice where its lines cross, divided by the
   /// density.
   double crossing = 0.0;
   FillGrowth growth = FillGrowth::Alone;
-  /// Directions of its lines relative to `infill.angle_deg` [deg] if they are the same in all layers; empty
-  /// for a fill that is rotated as the request asks.
+  /// Directions of the fill's lines relative to `infill.angle_deg` [deg] if they are the same in all layers;
+  /// empty for a fill that is rotated by the request.
   std::vector<double> fixed_lines_deg = {};
   /// The strictest `InfillRequest::advance` that its solid fill can keep.
   LineAdvance advance = LineAdvance::Shortest;
@@ -119,7 +119,7 @@ struct InfillStrategy {
 Registry<InfillStrategy>& infillStrategies();
 
 /// The strategy of that name.
-/// @throws InvalidConfig if there is none, naming those there are
+/// @throws InvalidConfig if there is none, naming the existing strategies
 InfillStrategy infillStrategy(const std::string& name);
 
 /// Whether the strategy of that name deposits drops: its toolpaths have no beads within the part.

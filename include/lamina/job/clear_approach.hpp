@@ -17,10 +17,11 @@ struct ApproachDemands {
 };
 
 /// The approach to the start of a job on which no link collides with the bed or with another link. The lift
-/// is the one asked for or, if that collides, the first without collision of 2, 4, 8, ... 64 times as much,
-/// at most 1 m. Material that already lies on the bed is not considered.
-/// @throws Unreachable if each of them collides, naming what the lowest one collides with; as `approach`
-/// @throws InvalidConfig if the lift asked for is more than 1 m; Cancelled
+/// is the requested one or, if links then collide, the first without collision of 2, 4, 8, ... 64 times the
+/// requested lift, at most 1 m. Material that already lies on the bed is not considered.
+/// @throws Unreachable if links collide at every lift, naming what they collide with at the lowest; as
+///   `approach`
+/// @throws InvalidConfig if the requested lift is more than 1 m; Cancelled
 Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress);
 

@@ -11,8 +11,9 @@ namespace lamina {
 
 /// Files from which the corrections of a program are read.
 struct CorrectionFiles {
-  std::string maps;      ///< correction maps: a file, or a folder of files
-  std::string toolpath;  ///< toolpath to which the maps belong; empty for the one in the folder of the maps
+  std::string maps;  ///< correction maps: a file, or a folder of files
+  /// Toolpath to which the maps belong; empty for the toolpath in the folder of the maps.
+  std::string toolpath;
 };
 
 /// Reads toolpath and maps.
@@ -22,10 +23,10 @@ struct CorrectionFiles {
 PlannedCorrection correctionFrom(const CorrectionFiles& files, const LoopSettings& feeding,
                                  const std::string& program_sha256);
 
-/// The program as corrected by the maps while it is streamed; it states its origin (`ProgramOrigin`). If it
-/// is the program of a recorded job, its lines are those that were sent, as far as the record goes, followed
-/// by the planned ones.
-/// @param correction  as `correctionFrom` reads it from those files
+/// The program as corrected by the maps while it is streamed; it states its origin (`ProgramOrigin`). The
+/// program of a recorded job has the lines that were sent, as far as the record goes, followed by the planned
+/// lines.
+/// @param correction  as `correctionFrom` reads it from `files`
 /// @throws as `correctedByMaps`; as `StreamableProgram::fromText` of the corrected program
 StreamableProgram programByMaps(const StreamableProgram& planned, const CorrectionFiles& files,
                                 const PlannedCorrection& correction, const StreamSettings& settings);

@@ -23,8 +23,8 @@ struct DepositJob {
 struct DepositSummary {
   DepositTotals totals;
   double voxel_mm = 0.0;
-  std::int64_t voxels = 0;  ///< number of solid ones
-  /// Share of open voxels in the bounding box of the solid ones, 0 to 1; 0 if none is solid.
+  std::int64_t voxels = 0;  ///< number of solid voxels
+  /// Share of open voxels in the bounding box of the solid voxels, 0 to 1; 0 if none is solid.
   double porosity = 0.0;
   double surface_mm2 = 0.0;  ///< total area of the faces between solid and open voxels
   double highest_mm = 0.0;   ///< highest place of the deposit, as `VoxelDeposit::highest`

@@ -26,7 +26,7 @@ struct ToolpathOnBed {
 
 /// Reads the toolpath of a file (.csv, whatever its suffix), and places it as `lamina check` does.
 /// @throws FileError if it cannot be read
-/// @throws InvalidProgram if it is no toolpath, with what its first line is; or as `readCsv`
+/// @throws InvalidProgram if it is no toolpath, quoting its first line; or as `readCsv`
 ToolpathOnBed readToolpathOnBed(const std::string& path, Placement placement, const BuildSpace& space);
 
 /// Checks that joint trajectories can express all that a toolpath asks for.
@@ -41,7 +41,7 @@ struct DriveCheckSettings {
 
 /// The joints by which a machine or robot drives a toolpath, once reach, limits and collisions are checked
 /// (`checkRun`).
-/// @param found  called with the check, even if nothing stands in the way
+/// @param found  called with the result of the check, also if there are no findings
 /// @throws InvalidInput as `requireDrivable`; Unreachable as `requireClear`; Cancelled
 KinematicModelRun drivableRun(ToolpathOnBed placed, const CheckedMachine& machine,
                               const DriveCheckSettings& settings,

@@ -15,8 +15,8 @@ namespace lamina {
 struct InclineJob {
   std::string program;
   std::string output;                   ///< empty for the file that `inclinedName` names
-  std::shared_ptr<const SpaceMap> map;  ///< from places in the program to places over the bed
-  /// From places over the bed to values of the machine's axes; nullptr if these are the same.
+  std::shared_ptr<const SpaceMap> map;  ///< map from positions in the program to positions over the bed
+  /// Map from positions over the bed to values of the machine's axes; nullptr if both are the same.
   std::shared_ptr<const SpaceMap> axes;
   RewriteSettings settings;
 };

@@ -24,18 +24,18 @@ struct InclineSettings {
   /// Machine whose limits and axes are used; "none" without a URDF for no machine.
   MachineSettings machine{"none", ""};
   InclineMap map = InclineMap::Rotation;
-  double angle_deg = 45.0;      ///< of the rotation, right-handed
-  std::string axis = "x";       ///< of the rotation: x, y, z or three numbers with commas between them
-  std::vector<double> factors;  ///< of the scale, along x, y, z
-  std::string shear;            ///< as "y,z,0.5" for y += 0.5 z
+  double angle_deg = 45.0;      ///< angle of the rotation, right-handed
+  std::string axis = "x";       ///< axis of the rotation: x, y, z or three numbers with commas between them
+  std::vector<double> factors;  ///< factors of the scale along x, y, z
+  std::string shear;            ///< the shear, as "y,z,0.5" for y += 0.5 z
   std::vector<double> matrix;   ///< affine map by its three rows: three factors and a translation [mm] each
   double belt_deg = 0.0;  ///< angle at which a belt printer's gantry leans, 15 to 90; 0 for no such printer
   std::vector<double> table_position_mm;  ///< x and y to which the middle of the part is moved
   std::vector<double> offset_mm;  ///< x, y and z by which the part is moved after it was put on the bed
   std::vector<double> final_position_mm;  ///< x, y and z to which the nozzle moves at the end
   std::vector<double> limits_mm;          ///< limits of the nozzle: lowest x, y, z, then highest x, y, z
-  double layer_height_mm = 0.0;  ///< height of the lowest deposition; 0 for that which the program states
-  int decimals = -1;             ///< of coordinates; -1 for the number that the mode prescribes
+  double layer_height_mm = 0.0;  ///< height of the lowest deposition; 0 for the height stated by the program
+  int decimals = -1;             ///< number of decimals of coordinates; -1 for that of the mode
   InclineExtrusion extrusion = InclineExtrusion::AsStated;
   RewriteSettings transform;  ///< all further settings
 };

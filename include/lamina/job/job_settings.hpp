@@ -65,7 +65,7 @@ PlanSettings planOfPrinters();
 /// Default cooling of a job: each layer takes at least 5 s. A default-constructed `CoolingSettings` demands
 /// no time.
 CoolingSettings coolingOfPrinters();
-/// Default fan of a job: it is used. A default-constructed `FanSettings` leaves the fan alone.
+/// Default fan of a job: the fan is used. A default-constructed `FanSettings` leaves the fan alone.
 FanSettings fanOfPrinters();
 
 /// The settings of all stages from mesh to program.
@@ -112,7 +112,7 @@ struct JobSettings {
   TrajectorySettings trajectory;
   ProcessSettings process;
   ProgramSettings program;
-  /// No setting itself: what the slicing mode may leave out of those above.
+  /// Not a setting: which of the settings above the slicing mode may leave out.
   GivingWay giving_way;
 };
 

@@ -22,28 +22,31 @@ namespace lamina {
 
 /// A toolpath, and the joint values with which a machine or robot runs it.
 struct KinematicModelRun {
-  /// Toolpath with motions divided so that joints at constant speed keep the nozzle on them.
+  /// Toolpath with divided motions: between waypoints, joints at constant speed keep the nozzle on the
+  /// motion.
   DividedToolpath divided;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
-  JointPath path;                                                   ///< of the divided toolpath
-  /// Line of the program that states the joints, for each waypoint of `path`; empty if none does.
+  JointPath path;  ///< joint values along the divided toolpath
+  /// Line of the program that states the joints, for each waypoint of `path`; empty if no program states
+  /// them.
   std::vector<std::size_t> lines;
-  std::vector<RunPassage> passages = {};  ///< ways beside the part
-  std::string unknown_way = {};           ///< what of the way to the part is not known; empty for nothing
+  std::vector<RunPassage> passages = {};  ///< motions beside the part
+  /// A sentence on the unknown part of the motion to the part; empty if all is known.
+  std::string unknown_way = {};
 
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
 
-/// Plans the joint values of a toolpath such that, as far as `SelfCollisionGuard` finds, links do not collide
-/// with each other. Motions are divided to keep the nozzle within the tolerances; `inTime` divides further
-/// where that is not enough.
+/// Plans the joint values of a toolpath. Links do not collide with each other, as far as `SelfCollisionGuard`
+/// finds. Motions are divided to keep the nozzle within the tolerances; `inTime` divides further where that
+/// is not enough.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`
 KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
-/// The same, of a machine that nothing more is planned or checked on.
+/// The same for a single run: the `CheckedMachine` is made for the call.
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
@@ -54,39 +57,39 @@ struct LayerRange {
   std::size_t end = 0;  ///< index after the last layer
 };
 
-/// Some of the layers of a toolpath, which must outlive the value.
+/// Some layers of a toolpath. The toolpath must outlive the value.
 struct ToolpathExcerpt {
   const Toolpath& toolpath;
   std::vector<LayerRange> stretches;  ///< ascending, with at least one layer between each and the next
 };
 
-/// Plans the joint values for some of the layers. `path` holds these only; the other layers stay in the
-/// toolpath undivided, so that what they deposit still counts as an obstacle. Each range is planned as if it
-/// were the whole toolpath: near its ends the joint values may differ from those of the whole.
+/// Plans the joint values for some of the layers. `path` holds these layers only. The other layers stay in
+/// the toolpath undivided: their material still counts as an obstacle. Each range is planned as if it were
+/// the whole toolpath: near its ends the joint values may differ from those of the whole.
 /// @param progress  stage "joints"
 /// @throws as the function above
 KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
-/// The run of a program that states its joint values: these are checked (`judged`), not planned. Where a
-/// controller leads the nozzle straight, as that of an arm does, motions are divided
+/// The run of a program that states its joint values. The values are checked (`judged`), not planned. Where
+/// the controller moves the nozzle along straight lines, as with arms, motions are divided
 /// (`alongStraightMoves`).
 KinematicModelRun runAsStated(const KinematicModel& model, StatedMotion motion,
                               const JointPathSettings& settings);
 
-/// The same program for its ways beside the part alone: the joints along the part are taken as they are, and
-/// not led in between.
+/// The run of such a program for its motions beside the part only: joint values along the part are taken as
+/// stated, and motions are not divided.
 KinematicModelRun passagesAsStated(const KinematicModel& model, StatedMotion motion,
                                    const JointPathSettings& settings);
 
 /// Checks that the path has no faults.
-/// @throws Unreachable otherwise, with their number and the first of them
+/// @throws Unreachable otherwise, with the number of faults and the first fault
 void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 
 /// Figures of a run within the limits of the joints.
 struct RunTime {
-  double total_s = 0.0;  ///< with the ways beside the part that a program states (`passageTime`)
+  double total_s = 0.0;  ///< including motions beside the part stated by a program (`passageTime`)
   /// Share of the length of beads that is deposited at less than 95 % of the feed asked for
   /// (`slowBeadShare`).
   double slow_bead_share = 0.0;
@@ -104,9 +107,9 @@ struct TimedRun {
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`
 TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const TimingSettings& settings);
 
-/// Figures of a timed run by what will plan its speeds: the figures that `lamina slice` states as well. Where
-/// linear axes alone move and no program states joints, that is a firmware, which knows `motion.*` and
-/// nothing of joints (`estimateTime`). Otherwise they are those within the limits of the joints.
+/// Figures of a timed run, as `lamina slice` states them. If only linear axes move and no program states
+/// joints, a firmware plans the speeds: the time is that within `motion.*` (`estimateTime`). Otherwise the
+/// figures are those within the limits of the joints.
 RunTime plannedTime(const TimedRun& timed, const KinematicModel& model, const MotionLimits& limits);
 
 }  // namespace lamina

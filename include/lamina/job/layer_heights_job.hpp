@@ -25,7 +25,7 @@ struct LayerHeightsReport {
 /// @throws as `stackLayers`, `adaptiveLayers`, `readHeightTable`
 LayerHeightsReport layerHeightsOf(const Mesh& mesh, const SlicingSettings& settings);
 
-/// Checks heights that a table states (`requireCapableOfTable`); others follow from settings.
+/// Checks heights that a table states (`requireCapableOfTable`); other heights follow from settings.
 void requireCapableOf(const LayerHeightsReport& report, const JobSettings& settings);
 
 /// Notes for the user on heights that are not equal, a sentence each: their range, the greatest cusp, and

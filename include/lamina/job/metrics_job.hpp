@@ -25,8 +25,8 @@ class SliceMeasurement {
 
   /// Slices the part by the job's settings with some of them changed, and measures the toolpath. May be
   /// called from several threads at once.
-  /// @param overrides  settings to change, in order; none of input.* or conformal.base, as the part was read
-  ///   by these
+  /// @param overrides  settings to change, in order; none of input.* or conformal.base, as the part is
+  ///   already read
   /// @param metrics    names from `metricNames`; others are not computed
   /// @return one value for each of `metrics`
   /// @throws InvalidConfig, InvalidInput, InvalidMesh, Unreachable, Cancelled as `runSliceJob`

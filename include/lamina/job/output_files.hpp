@@ -15,14 +15,14 @@ bool isSameFile(const std::string& one, const std::string& other);
 /// @throws InvalidInput naming both if one does
 void requireApart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-/// Checks that a file can be written, before the work is done for it; leaves what is there as it is. An empty
-/// path names no file and is accepted.
+/// Checks that a file can be written, before its contents are computed; an existing file stays as it is. An
+/// empty path names no file and is accepted.
 /// @throws FileError as `AtomicFile`
 void requireWritableFile(const std::string& output);
 
 /// Checks the suffix of an output. An empty path names no file and is accepted.
 /// @param suffixes  with their dot: .csv
-/// @throws InvalidInput if the output has none of them
+/// @throws InvalidInput if the output has none of the suffixes
 void requireSuffix(const std::string& output, const std::vector<std::string>& suffixes);
 
 }  // namespace lamina

@@ -37,7 +37,7 @@ struct PlacedToolpath {
 using OutputWriter =
     std::function<void(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink)>;
 
-/// Writes the file at that path, and further files beside it, each whole or not at all.
+/// Writes the file at the path, and further files beside it, each whole or not at all.
 /// @throws as `OutputWriter`; FileError
 using FilesWriter = std::function<void(const std::string& path, const PlacedToolpath& placed,
                                        const ProgramSettings& settings)>;
@@ -45,7 +45,7 @@ using FilesWriter = std::function<void(const std::string& path, const PlacedTool
 /// A format of programs or toolpaths.
 struct ProgramWriter {
   OutputWriter write;
-  FilesWriter write_files;  ///< for a format that may need several files; empty otherwise
+  FilesWriter write_files;  ///< writer of a format that may need several files; empty otherwise
 };
 
 /// All formats by their suffix with its dot, those of plug-ins included. A plug-in adds one by
@@ -60,13 +60,13 @@ std::vector<std::string> outputSuffixes();
 /// @throws InvalidInput if there is none, naming the suffixes that have one
 OutputWriter outputWriterFor(const std::string& path);
 
-/// Writes a toolpath to a file, whole or not at all; a program in modules has a file for each
+/// Writes a toolpath to a file, whole or not at all; a program in several modules has one file per module
 /// (`writeRapidFiles`).
 /// @throws InvalidInput as above, or from the writer; FileError
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings);
 
-/// Writes a toolpath as above, with annotations as comments. Formats that may need several files ignore
-/// these.
+/// Writes a toolpath as above, with annotations as comments. Formats that may need several files ignore the
+/// annotations.
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings,
                  const ProgramAnnotations& annotations);
 

@@ -38,7 +38,7 @@ std::optional<StatedMotion> readStatedMotion(const std::string& path, const Prog
                                              const KinematicModel& model);
 
 /// Offsets of tools' nozzles that the head of a program in G-code states (`;TOOL_OFFSET:`), by tool, along
-/// the axes of the program; none for others.
+/// the axes of the program; none for other programs.
 /// @throws FileError; InvalidProgram if a comment states no offset
 std::vector<Point3> toolOffsetsIn(const std::string& path);
 

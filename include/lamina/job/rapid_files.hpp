@@ -21,7 +21,7 @@ void writeRapid(const PlacedToolpath& placed, const RapidSettings& settings, con
 /// Writes a RAPID program in one or more modules: the module with `main` at the path and the other ones
 /// beside it, each named after its module; all files or none. If the settings name no module, the first one
 /// is named after the file.
-/// @return names of the files, that of `main` first
+/// @return names of the files, the file of `main` first
 /// @throws InvalidInput as above; InvalidConfig if a module would be written over the file of `main`;
 ///   FileError
 std::vector<std::string> writeRapidFiles(const std::string& path, const PlacedToolpath& placed,

@@ -24,7 +24,7 @@ ProgramRunner programRunner(const std::string& path);
 bool isRobotFile(const std::string& path);
 
 /// Name of a robot program's language, as "RAPID" or "KRL".
-/// @param path  of a robot's program
+/// @param path  path of a robot's program
 std::string robotLanguageName(const std::string& path);
 
 /// Writes a program that is a single file, in a language other than RAPID.
@@ -36,9 +36,9 @@ void writeRobotProgram(RobotLanguage language, const PlacedToolpath& placed,
 
 /// What was written: the files of a program, how its speeds were rounded, and which outputs stay at 0.
 struct RobotWriting {
-  std::vector<std::string> files;  ///< names; first the file to be loaded first, then those that it calls
+  std::vector<std::string> files;  ///< names; the file to be loaded first, then the files that it calls
   SpeedRounding speeds;
-  std::vector<RobotLevel> unstated;  ///< of robot_program.levels: those whose process value no path states
+  std::vector<RobotLevel> unstated;  ///< entries of robot_program.levels whose process value no path states
 };
 
 /// Names of files beside a program whose numbers follow those of its own files. They were left by a longer

@@ -24,22 +24,22 @@ struct SliceSummary {
   std::vector<std::string> notes;         ///< notes for the user on the layers and the tool, a sentence each
   OverhangAngle lean;                     ///< greatest overhang of the part's walls
   OrientationReport orientation;  ///< all zero if the nozzle keeps the orientation that the slicer gave it
-  std::size_t triangles = 0;      ///< of the repaired mesh
+  std::size_t triangles = 0;      ///< number of triangles of the repaired mesh
   std::size_t layers = 0;
-  std::size_t contours = 0;       ///< number of closed ones in all layers
-  std::size_t open_contours = 0;  ///< number of open ones; 0 for a closed mesh
+  std::size_t contours = 0;       ///< number of closed contours in all layers
+  std::size_t open_contours = 0;  ///< number of open contours; 0 for a closed mesh
   std::size_t deposition_runs = 0;
   Repositions repositions;
   FillStarts starts;
   AnchoredStarts anchored;
   Bridging bridging;
-  double mesh_volume_mm3 = 0.0;    ///< of the repaired mesh
+  double mesh_volume_mm3 = 0.0;    ///< volume of the repaired mesh
   double sliced_volume_mm3 = 0.0;  ///< signed area of the contours times layer height
   double deposition_mm = 0.0;      ///< length of the runs that deposit
   double travel_mm = 0.0;          ///< length of the travels
   double deposited_mm3 = 0.0;
-  double unprinted_mm3 = 0.0;  ///< of the part, without a bead or drop
-  /// Number of layers in which nothing is deposited, below others in which something is.
+  double unprinted_mm3 = 0.0;  ///< volume of the part without a bead or drop
+  /// Number of layers in which nothing is deposited, below layers in which something is.
   std::size_t empty_layers = 0;
   Refilling refilling;
   SupportTotals supports;
@@ -54,7 +54,7 @@ struct SliceSummary {
   double slice_s = 0.0;
   double plan_s = 0.0;
   double write_s = 0.0;
-  double wall_s = 0.0;          ///< time for all of it
+  double wall_s = 0.0;          ///< total time
   double peak_memory_mb = 0.0;  ///< greatest memory that the process has used so far [MiB]
 };
 

@@ -14,7 +14,7 @@ namespace lamina {
 /// Which solid of a part bears the load.
 enum class PartSolid {
   AsDrawn,      ///< all that its surface encloses
-  AsDeposited,  ///< what its toolpath deposits, for which it is sliced first
+  AsDeposited,  ///< what its toolpath deposits; the part is sliced first
 };
 
 /// A part whose deformation under load is computed.

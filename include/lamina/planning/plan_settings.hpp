@@ -33,8 +33,8 @@ enum class WallOrder { OutsideIn, InsideOut };
 struct WallSettings {
   int count = 2;
   WallOrder order = WallOrder::InsideOut;
-  double narrowest =
-      0.3;  ///< least width of a bead where no loop fits, in pitches; narrower places stay empty
+  /// Least width of a bead where no loop fits, in pitches; narrower places stay empty.
+  double narrowest = 0.3;
 };
 
 /// How the area inside the walls is filled.
@@ -48,8 +48,8 @@ struct InfillSettings {
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< angle added from one layer to the next
   double wall_overlap = 0.15;     ///< overlap of infill with the innermost wall, in bead widths
-  int every_layers = 1;  ///< sparse infill is deposited in one of this number of layers, at their height
-  LineLinks links;       ///< of sparse infill
+  int every_layers = 1;  ///< sparse infill is deposited in every n-th layer, in beads as high as n layers
+  LineLinks links;       ///< links between lines of sparse infill
 };
 
 /// Solid layers where the part is visible from above or below, beside a sparse infill.
@@ -62,9 +62,9 @@ struct SkinSettings {
   std::string strategy = "zigzag";
   double angle_deg = 45.0;         ///< angle of the first layer; turned by 90 deg from layer to layer
   double narrowest = 1.0;          ///< least width of a skin, in bead widths
-  double anchor_mm = -1.0;         ///< by which skins extend into the infill; -1: the thickness of the walls
+  double anchor_mm = -1.0;         ///< extension of skins into the infill; -1: the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
-  bool is_monotonic = true;        ///< lines of top skins are deposited in one order across them
+  bool is_monotonic = true;        ///< lines of top skins are deposited in order, from one side to the other
 };
 
 /// A second pass over top skins.
@@ -103,8 +103,8 @@ struct VoidSettings {
 
 struct SkirtSettings {
   int count = 1;
-  double distance_mm = 4.0;  ///< from part, brim, raft and supports
-  int layers = 1;            ///< number of layers with a skirt: all of them for a wind shield
+  double distance_mm = 4.0;  ///< distance from part, brim, raft and supports
+  int layers = 1;            ///< number of layers with a skirt; all layers for a wind shield
   /// Least total length of the loops in the first layer; loops are added until it is reached.
   double least_length_mm = 0.0;
 };
@@ -138,11 +138,11 @@ struct TravelSettings {
   Hopping hop = Hopping::Always;
   Combing comb = Combing::None;
   double keep_off_mm = 0.2;       ///< distance of combed travels from the outline, besides half a bead width
-  double comb_longest_mm = 30.0;  ///< longer travels inside, combed or over infill, are retracted
-  double comb_detour =
-      /// Greatest length of a combed travel over that of the straight one; others are straight and retracted.
-      3.0;
-  double wipe_mm = 0.0;     ///< length of a wipe along the run before; 0 for none
+  double comb_longest_mm = 30.0;  ///< longer travels within an island, combed or over infill, are retracted
+  /// Greatest ratio of a combed travel's length to the straight distance; beyond it, travels are straight and
+  /// retracted.
+  double comb_detour = 3.0;
+  double wipe_mm = 0.0;     ///< length of a wipe along the previous run; 0 for none
   double wipe_share = 0.7;  ///< share of the retraction that happens during the wipe
 };
 
@@ -150,7 +150,7 @@ struct FeedSettings {
   double outer_wall_mm_s = 30.0;
   double inner_wall_mm_s = 45.0;
   double infill_mm_s = 60.0;
-  double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
+  double skin_mm_s = 45.0;      ///< hidden skins, and skins seen from below
   double top_skin_mm_s = 30.0;  ///< skins seen from above
   double bridge_mm_s = 20.0;    ///< bridges, and walls beside them
   double ironing_mm_s = 20.0;   ///< second pass over top skins
@@ -181,7 +181,7 @@ struct PlanSettings {
   FeedSettings feed;
   FirstLayerSettings first_layer;
   ToolSettings tools;
-  double simplification_mm = 0.005;  ///< greatest distance of a planned outline from the sliced one
+  double simplification_mm = 0.005;  ///< greatest distance of a planned outline from the sliced outline
 };
 
 /// Whether layers have one wall and nothing inside it.

@@ -32,11 +32,11 @@ struct Refilling {
 /// Supported area and volume of supports; all 0 without supports.
 struct SupportTotals {
   double overhang_mm2 = 0.0;  ///< overhangs by more than `supports.angle_deg`, of all layers
-  double unsupported_mm2 =
-      0.0;                   ///< of these, too narrow, or above the part if supports stand on the bed only
+  /// Overhangs without supports: too narrow, or above the part with supports on the bed only.
+  double unsupported_mm2 = 0.0;
   double blocked_mm2 = 0.0;  ///< further overhangs, which are marked to stay without support
-  double area_mm2 = 0.0;     ///< of supports in the layer with most
-  double support_mm3 = 0.0;  ///< deposited, without interfaces
+  double area_mm2 = 0.0;     ///< greatest area of supports in a layer
+  double support_mm3 = 0.0;  ///< volume of supports, without interfaces
   double interface_mm3 = 0.0;
   std::size_t dropped_branches = 0;  ///< branches without a foot
 };
@@ -76,10 +76,10 @@ struct LayerLifting {
   LayerLift lift;
   /// For each layer, whether `skins.strategy` fills it solid, whatever the infill; empty: none.
   std::vector<bool> is_skin = {};
-  /// Highest z on the bed before the first layer, of anything that stands there [mm, part frame].
+  /// Highest z of anything that stands on the bed before the first layer [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
-  /// For each layer what covers it, in its plan, so that skins close what is seen; without material for
-  /// layers that are not divided so. Empty: none is. Only for settings that `takesSkins`.
+  /// Cover of each layer, in the frame of its plan, by which skins close visible areas. The cover of a layer
+  /// without skins has no material. Empty if no layer has skins. Only for settings with `takesSkins`.
   std::vector<LayerCover> covers = {};
 };
 
@@ -95,25 +95,25 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
               const Box2& bed, Progress& progress);
 
 /// The plan of a part in level layers over a bed, with other settings in parts of the layers. Fills must
-/// deposit beads, and each within one layer.
+/// deposit beads, and must not continue from layer to layer.
 /// @param layers  each is freed once it is planned: callers move large parts in
 /// @throws as `planToolpath`; InvalidConfig if a strategy deposits drops or continues from layer to layer
 Plan planPart(const std::string& part_name, std::vector<Layer> layers, const PlanSettings& settings,
               const VariedBed& varied, Progress& progress);
 
-/// The plan of a part in inclined layers, in their frame. It has no skirt, which would leave the bed, and
-/// starts runs by `anchoring.strategy`.
+/// The plan of a part in inclined layers, in the frame of the layers. The plan has no skirt, as a skirt would
+/// leave the bed. Runs start by `anchoring.strategy`.
 /// @throws as `planToolpath`
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerIncline& incline, Progress& progress);
 
-/// The plan of a part whose layers are planned flat and lifted to their places. It has no skirt, bridges and
-/// ironing, and overhanging walls are as others; chained layers and travels between layers are joined in
-/// space (`docs/slicing/lifting.md`). All figures but the toolpath are those of the flat plans.
+/// The plan of a part whose layers are planned flat and lifted to their places. The plan has no skirt, no
+/// bridges and no ironing. Overhanging walls are planned as other walls. Chained layers and travels between
+/// layers are joined in space (`docs/slicing/lifting.md`). All figures describe the flat plans; only the
+/// toolpath is lifted.
 /// @param layers  the flat plans, with the heights of their beads
 /// @throws as `planToolpath`, and what `lifting.lift` throws; InvalidConfig for strategies that rise from
-/// layer to
-///         layer
+///   layer to layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerLifting& lifting, Progress& progress);
 

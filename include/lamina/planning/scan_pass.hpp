@@ -16,11 +16,11 @@ struct ScanSettings {
   double margin_mm = 1.0;  ///< width scanned beyond the layer's deposition on each side
 };
 
-/// Where the middle of the sensor's line of light lies, from the nozzle, in the layers' x and y.
+/// Position of the middle of the sensor's line of light relative to the nozzle, in x and y of the layers.
 struct ScanSight {
   Point2 offset_mm = Point2::Zero();  ///< on a surface as high as the nozzle
-  /// By how much it moves for each millimetre that the surface lies lower; zero of a sensor that looks along
-  /// the layers' normal.
+  /// Shift of this position per millimetre by which the surface lies lower; zero for a sensor that looks
+  /// along the layers' normal.
   Point2 lean = Point2::Zero();
 };
 
@@ -33,8 +33,8 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 /// `scanHeight` and ends at the start of the next layer, whose first travel it replaces.
 ///
 /// The sensor moves with the nozzle; its line of light lies along x of the layers. If the sensor leans, the
-/// line passes over the layer where it lies, below the nozzle, and over as much more as shows it where it is
-/// up to a layer's height too high or too low.
+/// pass is shifted by the lean over the height from the layer to the nozzle, and widened to show a layer up
+/// to one layer height too high or too low.
 ///
 /// @param toolpath  in the frame of its layers, which are plane; satisfies `validate`, and so does the result
 /// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned and are

@@ -33,7 +33,7 @@ struct ProgramSettings {
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
   /// Greatest distance of arcs (G2, G3) from the waypoints that they replace; 0 for no arcs.
   double arcs_tolerance_mm = 0.0;
-  /// Command that waits for the operator; "dialect" for the one of `dialect`. Its key in jobs is
+  /// Command that waits for the operator; "dialect" for the command of `dialect`. Its key in jobs is
   /// `pause.code`.
   std::string pause_code = "dialect";
   /// Offset of each tool's nozzle from that of tool 0 [mm], for which the program corrects positions; 0 for

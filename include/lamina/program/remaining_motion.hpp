@@ -19,16 +19,15 @@ WaypointIndex waypointAtHeight(const StatedMotion& motion, double height_mm);
 
 /// A line of a program.
 struct StatedLine {
-  std::size_t number = 0;  ///< from 1
-  /// The file it is of, with or without folder and suffix, in any case; empty for that of a program of one
+  std::size_t number = 0;  ///< number of the line in its file, from 1
+  /// File of the line, with or without folder and suffix, in upper or lower case; empty for a program of one
   /// file.
   std::string file = {};
 };
 
-/// The waypoint from which the move of a line sets out; of a line without a move, that of the next one.
-/// @throws InvalidInput if no move comes from there on; if the program has several files and none is named;
-/// if
-///   the one that is named is none of them, or states no move
+/// The waypoint at which the move of a line starts; for a line without a move, the start of the next move.
+/// @throws InvalidInput if neither the line nor a later one moves; if the program has several files and none
+///   is named; if the named file is not a file of the program, or states no move
 WaypointIndex waypointAtLine(const StatedMotion& motion, const StatedLine& line);
 
 /// The rest of a motion from a waypoint on. A path that is cut there is open, and begins with that waypoint;

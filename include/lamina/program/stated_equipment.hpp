@@ -17,7 +17,7 @@ struct StatedEquipment {
   std::set<std::string> process;
   /// Values of the external axes at the first move of the part [mm, deg]; empty for none.
   std::vector<double> external;
-  bool moves_external = false;  ///< whether they differ at other moves
+  bool moves_external = false;  ///< whether external axes have other values at other moves
   std::string bed_carrier;      ///< what moves the bed; empty if it stands still
 };
 
@@ -31,7 +31,7 @@ struct EquippedToolpath {
 /// @param program  name of the program that was read, for errors
 /// @param keys  settings by which it is written: "robot_program.*"
 /// @throws InvalidInput naming what was found and what would be written, if external axes, the carrier of the
-///   bed, or the way in which the process is switched differ
+///   bed, or the switching of the process differ
 void requireSameEquipment(const StatedEquipment& read, const StatedEquipment& written,
                           const std::string& program, const std::string& keys);
 

@@ -16,8 +16,8 @@ enum class ToolAxis {
 
 /// Inclination of the layers: they are rotated about a horizontal axis (`partFromLayers`).
 struct PlaneSettings {
-  double angle_deg = 0.0;         ///< of the rotation; 0 for level layers
-  double axis_heading_deg = 0.0;  ///< of the axis, from x towards y: 0 is x, 90 is y
+  double angle_deg = 0.0;         ///< angle of the rotation; 0 for level layers
+  double axis_heading_deg = 0.0;  ///< heading of the axis, from x towards y: 0 is x, 90 is y
   ToolAxis tool_axis = ToolAxis::Normal;
 };
 
@@ -33,7 +33,7 @@ struct AdaptiveSettings {
   double cusp_mm = 0.1;         ///< greatest step that a layer leaves on the surface, along its normal
   double least_mm = 0.1;        ///< least height
   double greatest_mm = 0.3;     ///< greatest height
-  double greatest_ratio = 1.5;  ///< of the heights of neighbouring layers, the higher over the lower
+  double greatest_ratio = 1.5;  ///< greatest ratio of the heights of neighbouring layers, higher to lower
   double quantum_mm = 0.0;      ///< length of which heights are multiples; 0 for any height
 };
 
@@ -52,8 +52,8 @@ struct SlicingSettings {
 /// Adds the keys slicing.*, except `slicing.mode`, and the keys adaptive.*.
 void describe(SettingsSchema& schema, SlicingSettings& settings);
 
-/// @throws InvalidConfig if the least height is above the greatest, or `heights` is File without a
-///   `heights_file`, or another with one
+/// @throws InvalidConfig if the least height is above the greatest, if `heights` is File without a
+///   `heights_file`, or if it is not File with a `heights_file`
 void requireConsistent(const SlicingSettings& settings);
 
 }  // namespace lamina

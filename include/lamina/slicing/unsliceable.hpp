@@ -11,7 +11,8 @@
 
 namespace lamina {
 
-/// A part that cannot be sliced as asked for. The message gives the reason and where; the region shows it.
+/// A part that cannot be sliced as asked for. The message gives the reason and the place; the region shows
+/// the place.
 class Unsliceable : public InvalidMesh, public RichError {
  public:
   Unsliceable(const std::string& message, Mesh region) : InvalidMesh(message), region_(std::move(region)) {}

@@ -21,7 +21,7 @@ struct OverrideBounds {
 };
 
 /// The bounds of a quantity, the same for driver and streamer: 0.1 to 3 for feed and flow, 0.1 to 2 for
-/// power, which grbl allows no further, and which would be no mere correction beyond that.
+/// power. Grbl allows no more power, and more would be no mere correction.
 constexpr OverrideBounds boundsOf(OverrideKind kind) {
   return kind == OverrideKind::Power ? OverrideBounds{0.1, 2.0} : OverrideBounds{0.1, 3.0};
 }

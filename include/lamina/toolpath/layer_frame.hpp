@@ -36,7 +36,7 @@ Toolpath inLayerFrame(Toolpath toolpath);
 Toolpath withNozzle(Toolpath toolpath, const Eigen::Quaterniond& part_from_nozzle);
 
 /// Refuses a toolpath with inclined layers, for functions that need level ones.
-/// @param who  with which the message begins: "the height monitor"
+/// @param who  beginning of the message: "the height monitor"
 /// @throws InvalidInput if the layers are inclined, giving their angle
 void requireLevelLayers(const Toolpath& toolpath, const std::string& who);
 

@@ -10,8 +10,8 @@ namespace lamina {
 struct MotionLimits {
   double acceleration_mm_s2 = 1500.0;         ///< along the path, while depositing
   double travel_acceleration_mm_s2 = 3000.0;  ///< along the path, while travelling
-  /// Determines the speed at corners (`junctionSpeed`): the distance from a corner by which the nozzle would
-  /// pass it if it rounded the corner at that speed, with these accelerations.
+  /// Determines the speed at corners (`junctionSpeed`): the distance between the corner and an arc that
+  /// rounds it at this speed, with these accelerations.
   double junction_deviation_mm = 0.02;
 };
 

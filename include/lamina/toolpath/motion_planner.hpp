@@ -14,7 +14,7 @@ namespace lamina {
 /// A straight motion to be timed.
 struct MotionSegment {
   Point3 direction = Point3::Zero();  ///< of unit length; zero for a motion in place, such as a retraction
-  double length_mm = 0.0;             ///< positive; for a motion in place that of the filament
+  double length_mm = 0.0;             ///< positive; for a motion in place, the length of the filament
   double feed_mm_s = 0.0;             ///< positive; not reached if the length is too short
   double acceleration_mm_s2 = 0.0;    ///< positive
 };
@@ -34,8 +34,8 @@ struct SpeedProfile {
   double speedAt(double time_s) const;
 };
 
-/// The fastest speed profile along a segment between given entry and exit speeds, which its length must
-/// allow.
+/// The fastest speed profile along a segment between given entry and exit speeds, which the segment's length
+/// must allow.
 SpeedProfile speedProfile(const MotionSegment& segment, double entry_mm_s, double exit_mm_s);
 
 /// Greatest speed at the corner between two segments [mm/s].
@@ -43,17 +43,17 @@ SpeedProfile speedProfile(const MotionSegment& segment, double entry_mm_s, doubl
 /// It is the speed at which the nozzle could follow an arc that rounds the corner, with the lesser of the two
 /// accelerations as centripetal acceleration. The arc passes the corner at a distance of at most
 /// `junction_deviation_mm`, and touches each segment at most half its length from the corner, so that a
-/// finely divided curve gets the speed that its curvature allows. Segments in line have the lesser feed;
-/// a reversal or a motion in place has 0.
+/// finely divided curve gets the speed that its curvature allows. Segments in one direction give the lesser
+/// feed; a reversal or a motion in place gives 0.
 double junctionSpeed(const MotionSegment& before, const MotionSegment& after, double junction_deviation_mm);
 
 /// Plans the speeds of straight motions that are added one by one: trapezoidal profiles with unlimited
 /// look-ahead.
 ///
 /// Segments are added by `add`; `next` returns their profiles in the same order, each as soon as no later
-/// segment can change it. That is the case once the segments after it are as long as the braking distance,
-/// and a few more, since it is tested only now and then to keep the time linear. `finish` brings the nozzle
-/// to rest after the last segment; segments added afterwards start from rest.
+/// segment can change it. A profile is final once the later segments are as long as the braking distance. It
+/// is returned a few segments later, since this is tested at intervals to keep the time linear. `finish`
+/// brings the nozzle to rest after the last segment; segments added afterwards start from rest.
 class MotionPlanner {
  public:
   explicit MotionPlanner(double junction_deviation_mm) : junction_deviation_mm_(junction_deviation_mm) {}

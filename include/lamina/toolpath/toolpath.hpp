@@ -62,7 +62,7 @@ struct Bead {
 /// How a path deposits.
 enum class Deposit : std::uint8_t {
   Bead = 0,   ///< a bead from waypoint to waypoint
-  Drops = 1,  ///< a drop at each waypoint, a disc as wide and high as its `Bead`; nothing on the way
+  Drops = 1,  ///< a drop at each waypoint, a disc as wide and high as its `Bead`; nothing between them
 };
 
 /// As written in files: "bead", "drops".
@@ -154,7 +154,7 @@ double length(const Path& path);
 /// (h - w) w + pi w² / 4.
 double crossSection(const Bead& bead);
 
-/// Plan width [mm] that a bead fills: its area over its height. Beads of that pitch fill a layer exactly.
+/// Plan width [mm] that a bead fills: its area over its height. Beads at this pitch fill a layer exactly.
 double planWidth(const Bead& bead);
 
 /// The bead of that area [mm²] and height. An area of 0 gives a width of 0.
@@ -180,8 +180,8 @@ Box3 depositionBox(const Toolpath& toolpath);
 /// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
 std::string toolpathId(const Toolpath& toolpath);
 
-/// The first fault of a path's events: one out of order, at a motion that the path does not have, or invalid
-/// (`defectOf`). Empty if there is none.
+/// The first fault of a path's events: an event out of order, at a motion that the path does not have, or
+/// invalid (`defectOf`). Empty if there is none.
 std::string faultOfEvents(const Path& path);
 
 /// Checks a toolpath: finite numbers, at least two points per path (one for drops), one value per quantity or

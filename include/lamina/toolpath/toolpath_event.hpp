@@ -16,12 +16,12 @@ struct Dwell {
 
 /// The power of the part cooling fan from this event on.
 struct FanShare {
-  double share = 0.0;  ///< of the full power: 0 is off, 1 is full
+  double share = 0.0;  ///< share of the full power: 0 is off, 1 is full
 };
 
 /// A wait until the operator lets the machine continue.
 struct OperatorPause {
-  std::string message;  ///< for the operator; one line, may be empty
+  std::string message;  ///< message for the operator; one line, may be empty
 };
 
 /// Lines of code in the language of the machine, passed on unchanged.

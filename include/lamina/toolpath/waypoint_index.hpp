@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-/// Indices of a waypoint in a toolpath, all from 0: those of its layer, of its path in the layer, and its own
-/// in the path.
+/// Indices of a waypoint in a toolpath, all from 0: of the layer, of the path in the layer, and of the
+/// waypoint in the path.
 struct WaypointIndex {
   std::size_t layer = 0;
   std::size_t path = 0;

@@ -6,12 +6,12 @@
 
 namespace lamina {
 
-/// Name of the process value of a path that states the share of its retraction that is made during its
-/// motions (a wipe).
+/// Name of the process value that states which share of a path's retraction is made during the path's motions
+/// (a wipe).
 inline constexpr char kWipeShare[] = "wipe_share";
 
-/// That share of a path. 0 if the path does not state it: the whole retraction is made before its first
-/// motion.
+/// The share of a path's retraction that is made during its motions. 0 if the path states none: the whole
+/// retraction is made before its first motion.
 inline double wipeShare(const Path& path) {
   for (const ProcessValue& value : path.values)
     if (value.name == kWipeShare) return value.value.at(0);

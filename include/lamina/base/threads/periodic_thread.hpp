@@ -14,7 +14,7 @@ namespace lamina {
 class PeriodicThread {
  public:
   /// @param cycle  is called with the time at which the call was due, by `SteadyClock` [s]; if cycles were
-  ///   missed, with that of the first missed one
+  ///   missed, with the due time of the first missed cycle
   /// @throws DeviceError if the system has no timer left
   PeriodicThread(double rate_hz, std::function<void(double due_s)> cycle);
   /// Waits for a call under way and ends the thread: no call is made afterwards.

@@ -15,7 +15,7 @@ enum class ContourLink {
 /// Settings of the strategies of parallel contours.
 struct ContourSettings {
   ContourLink link = ContourLink::Average;
-  int seed = 1;  ///< of the random places where contours are cut
+  int seed = 1;  ///< seed of the random places where contours are cut
 };
 
 /// Adds the keys contour.*.

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// How each perimeter is made from the one outside of it.
+/// How each perimeter is made from the next outer perimeter.
 enum class PerimeterOffset {
   Robust,   ///< the enclosed area is shrunk: loops split, join and vanish with it
   Normals,  ///< each point is moved along its normal [Flores2018, section 6.2.1]; the loop may cross itself
@@ -21,7 +21,7 @@ enum class PerimeterOrder {
 
 /// Where perimeters start.
 enum class PerimeterSeam {
-  Progressive,  ///< farther along from layer to layer, and from perimeter to perimeter
+  Progressive,  ///< moved along from layer to layer, and from perimeter to perimeter
   Random,       ///< at random places
 };
 
@@ -31,10 +31,10 @@ struct PerimetersSettings {
   PerimeterOffset offset = PerimeterOffset::Robust;
   PerimeterOrder order = PerimeterOrder::OutsideIn;
   double first_inset = 0.5;  ///< distance of the outermost centre line from the border
-  double end_gap = 0.65;     ///< by which a perimeter ends short of its start; 0 closes it
+  double end_gap = 0.65;     ///< gap between the end of a perimeter and its start; 0 closes it
   PerimeterSeam seam = PerimeterSeam::Progressive;
-  double seam_step = 3.0;  ///< by which the progressive start advances
-  int seed = 1;            ///< of the random starts
+  double seam_step = 3.0;  ///< step of the progressive start
+  int seed = 1;            ///< seed of the random starts
 };
 
 /// Adds the keys perimeters.*.

@@ -10,7 +10,7 @@ namespace lamina {
 struct SmoothingSettings {
   double window_mm = 0.0;  ///< length of the run around each corner that a curve replaces; 0 keeps corners
   double step_mm = 0.05;   ///< distance of points on these curves
-  /// Greatest distance from the run of points that are left out; 0 leaves out none.
+  /// Greatest distance between the run and a point that is left out; 0 keeps all points.
   double tolerance_mm = 0.0;
 };
 

@@ -8,7 +8,7 @@ namespace lamina {
 
 /// Settings of the strategies of Hilbert curves.
 struct HilbertSettings {
-  /// Number of orientations of the curve that are tried; the one with the fewest jumps is used.
+  /// Number of orientations of the curve that are tried; the orientation with the fewest jumps is used.
   int angles = 1;
 };
 

@@ -8,7 +8,8 @@ namespace lamina {
 
 /// Settings of the lightning infill, whose branches support skins.
 struct LightningSettings {
-  double angle_deg = 45.0;  ///< greatest angle of a branch from the vertical; larger ones take less material
+  /// Greatest angle of a branch from the vertical; larger angles take less material.
+  double angle_deg = 45.0;
 };
 
 /// Adds the keys lightning.*.

@@ -26,13 +26,13 @@ struct HybridSettings {
   double grid_y_mm = 0.0;  ///< y of that node
   /// Distance of the perimeter points towards which `TwoPass` moves ends of lines.
   double perimeter_step = 0.25;
-  /// A curve is added where the outermost line is farther than this from the perimeter.
+  /// Distance of the outermost line from the perimeter above which a curve is added.
   double add_above = 1.5;
-  double delete_below = 1.2;  ///< the outermost line is replaced by the curve where it is nearer than this
-  double approach = 1.0;      ///< distance of the curve, and of ends of lines, from the perimeter
-  int curve_points = 20;      ///< number of points of the curve
-  double end_margin = 0.5;    ///< distance between the end of the curve and the line beside it
-  int extra_perimeter_every = 0;  ///< every so many layers there is one more perimeter; 0 for never
+  double delete_below = 1.2;      ///< distance below which the curve replaces the outermost line
+  double approach = 1.0;          ///< distance of the curve, and of ends of lines, from the perimeter
+  int curve_points = 20;          ///< number of points of the curve
+  double end_margin = 0.5;        ///< distance between the end of the curve and the line beside it
+  int extra_perimeter_every = 0;  ///< every n-th layer has one more perimeter; 0 for none
 };
 
 /// Adds the keys hybrid.*.

@@ -16,8 +16,8 @@ enum class SectionOrder {
 /// How the direction of a raster's lines is chosen.
 enum class RasterDirection {
   Given,        ///< by `infill.angle_deg` and its alternation
-  FewestTurns,  ///< in each layer the one with the fewest lines
-  LeastTravel,  ///< in each layer the one with the shortest travels between runs
+  FewestTurns,  ///< in each layer the direction with the fewest lines
+  LeastTravel,  ///< in each layer the direction with the shortest travels between runs
 };
 
 /// Settings of the strategies of parallel lines.
@@ -27,7 +27,7 @@ struct RasterSettings {
   double narrowest = 0.3;  ///< least width of a bead in a solid raster, in pitches
   /// Greatest length of a connection along the border between two sections of a solid raster; 0 for none.
   double longest_connection_mm = 50.0;
-  double most_connection = 0.015;  ///< share of the area that all these connections together may overfill
+  double most_connection = 0.015;  ///< greatest share of the area that all connections together overfill
 };
 
 /// Adds the keys raster.*.

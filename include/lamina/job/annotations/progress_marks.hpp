@@ -13,7 +13,7 @@ namespace lamina {
 /// the minutes that are left. There is one line for each percent from 0 to 99, before the motion during which
 /// it is reached, and one for 100 at the end. A toolpath that takes no time stays as it is.
 /// @param dialect  name of a G-code dialect (`gcodeDialects`)
-/// @param limits   by which the time is estimated
+/// @param limits   limits for the estimate of the time
 /// @throws InvalidConfig if the dialect has no command for it
 void addProgressMarks(Toolpath& toolpath, const std::string& dialect, const MotionLimits& limits);
 

@@ -7,8 +7,8 @@
 
 namespace lamina {
 
-/// A slicing mode tried for a part, and its result. The figures are 0 if the mode cannot slice the part; they
-/// are set if only the machine cannot run its layers.
+/// A slicing mode tried for a part, and its result. The figures are 0 if the mode cannot slice the part. They
+/// are set if the mode can slice it, but the machine cannot run the layers.
 struct ModeCandidate {
   std::string mode;
   std::string refusal;  ///< why the mode cannot be used; empty if it can

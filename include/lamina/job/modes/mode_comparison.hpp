@@ -36,8 +36,8 @@ std::vector<std::string> comparableModes(const SliceJob& job);
 
 /// Slices a part by several modes, one after the other, by the settings of the job and
 /// `auto.max_overhang_deg`. The part is prepared as for `auto`: deposited on `conformal.base` if that is set,
-/// and enlarged by what it shrinks. Nothing is written. If a mode cannot slice the part, its candidate states
-/// why.
+/// and enlarged to compensate shrinkage. Nothing is written. If a mode cannot slice the part, its candidate
+/// states why.
 /// @throws InvalidConfig if no mode is given, one is given twice, one does not exist, or settings are invalid
 /// @throws FileError, InvalidMesh for the part's file
 /// @throws Unreachable if the part is larger than the machine, or its head cannot print the plane

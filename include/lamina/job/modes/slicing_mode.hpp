@@ -35,8 +35,8 @@ struct PlanningRequest {
 /// Figures of cutting a part into layers.
 struct LayerCounts {
   std::size_t layers = 0;
-  std::size_t contours = 0;       ///< number of closed ones
-  std::size_t open_contours = 0;  ///< number of open ones; 0 for a closed mesh
+  std::size_t contours = 0;       ///< number of closed contours
+  std::size_t open_contours = 0;  ///< number of open contours; 0 for a closed mesh
   double sliced_volume_mm3 = 0.0;
   double slice_s = 0.0;  ///< time that the cutting took
 };
@@ -93,7 +93,7 @@ enum class AutoTrial {
   TiltingHead,  ///< on machines that can tilt the nozzle
 };
 
-/// A slicing mode: how a part is cut into layers, with the properties of these that a job needs.
+/// A slicing mode: how a part is cut into layers, with the properties of the layers that a job needs.
 struct SlicingMode {
   PlanFunction plan;
   LayerShape shape = LayerShape::Bent;
@@ -101,7 +101,7 @@ struct SlicingMode {
   DepositedOn deposited_on = DepositedOn::Bed;
   AutoTrial auto_trial = AutoTrial::None;
   /// Rank in the order in which `auto` tries modes, the lowest first: modes that are simpler to print have
-  /// lower ranks. Those of Lamina are 0 to 3. Modes of equal rank are tried in alphabetical order.
+  /// lower ranks. Lamina's own modes have ranks 0 to 3. Modes of equal rank are tried in alphabetical order.
   int auto_turn = 4;
 };
 

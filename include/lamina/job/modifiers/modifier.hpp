@@ -50,7 +50,7 @@ struct VolumeModifiers {
 };
 
 /// Makes modifiers from volumes that are cut away, from support blockers and enforcers, and from volumes with
-/// settings of another slicer, as far as these can be `translated`. A volume of which no setting is left
+/// settings of another slicer, as far as these can be `translated`. A volume whose settings are all left out
 /// gives no modifier.
 /// @param of_part  settings of the part; if its infill strategy cannot be combined with others, the settings
 ///   of all volumes are left out
@@ -58,7 +58,7 @@ VolumeModifiers modifiersOf(const std::vector<MeshVolume>& volumes, const JobSet
 
 /// Reads the list `modifiers` of a YAML text, as `readModifiersFile`.
 /// @param source_name  names the text in errors
-/// @param folder       to which paths of meshes are relative
+/// @param folder       folder to which paths of meshes are relative
 std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& source_name,
                                     const std::string& folder);
 

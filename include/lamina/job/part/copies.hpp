@@ -49,7 +49,7 @@ std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double s
 /// (`PartMark`); between parts belt and nozzle move as between copies. The layers of all parts must be
 /// parallel. Parts that deposit nothing are left out.
 /// @param places            as `placesAlongBelt` returns them
-/// @param travel_feed_mm_s  of the travels between parts
+/// @param travel_feed_mm_s  feed of the travels between parts
 Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<Point3>& places,
                          const BuildSpace& space, double travel_feed_mm_s);
 

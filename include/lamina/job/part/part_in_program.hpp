@@ -39,14 +39,13 @@ struct ComparedPart {
 ComparedPart readComparedPart(const std::string& part, const InputSettings& settings);
 
 /// Finds the position of a part in a program, ignoring skirt, brim and start lines. If layers are level, x
-/// and y follow from the contours; otherwise from the middle of the bounding box of what is deposited for the
-/// part. In z the bottom of the part is put at the bottom of the deposit; of layers that are not level at
-/// z = 0, if that is less than half of the thinnest bead away.
+/// and y follow from the contours; otherwise from the middle of the bounding box of the part's beads. In z
+/// the bottom of the part is put at the bottom of the deposit; if layers are not level, at z = 0, provided
+/// that both heights differ by less than half of the thinnest bead.
 /// @param given  program_from_part [mm], which is returned; empty to find it
 /// @throws InvalidInput if nothing is deposited for the part, or `given` is not finite; if layers are not
-/// level
-///   and the box deposited is larger than the part's by more than three of its widest beads in any direction;
-///   as `placeContours`
+///   level and the box deposited is larger than the part's by more than three of its widest beads in any
+///   direction; as `placeContours`
 /// @throws Cancelled
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,
                        const JobSettings& settings, Progress& progress);

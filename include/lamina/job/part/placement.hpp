@@ -13,7 +13,7 @@ namespace lamina {
 /// How a part is placed on the bed.
 enum class Placement {
   Centre,  ///< middle of its bounding box over the middle of the bed, bottom on the bed
-  AsIs,    ///< coordinates of the file are those of the bed
+  AsIs,    ///< coordinates of the file are used as coordinates of the bed
 };
 
 /// Pose bed_from_part [mm] of a part with this bounding box, without rotation.

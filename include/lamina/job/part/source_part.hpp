@@ -18,11 +18,11 @@ struct SourcePart {
   Mesh mesh;
   MeshTopology topology;  ///< of `mesh`; without border
   std::vector<std::string> repairs;
-  /// How a plate has rotated, scaled and moved it.
+  /// Transform by which a plate has rotated, scaled and moved the part.
   Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();
-  /// Volumes of its file with settings of their own, in the file's coordinates.
+  /// Volumes of the part's file with settings of their own, in the file's coordinates.
   std::vector<MeshVolume> volumes = {};
-  /// Of a part of a plate, the bed from where it will stand [mm, frame of the part]: brims end there, too.
+  /// For a part of a plate, the bed at the part's place [mm, frame of the part]: brims end at its edge, too.
   std::optional<Box2> bed_around = std::nullopt;
   Mesh base;  ///< surface on which the part is deposited [frame of the part]; empty for the bed
 };

@@ -15,36 +15,38 @@
 
 namespace lamina {
 
-/// What stands in the way of a machine on its way beside the part.
+/// A fault of a machine on a motion beside the part.
 struct PassageFault {
-  std::size_t index = 0;  ///< of the value
+  std::size_t index = 0;  ///< index of the value
   JointFault fault = JointFault::OutOfReach;
   std::string reason;
 };
 
-/// A way beside the part, as a controller leads the joints.
+/// A motion beside the part, with the joints as a controller moves them.
 struct RunPassage {
   JointPassage joints;             ///< `before` counts the waypoints of the run
-  std::vector<std::size_t> lines;  ///< of the program, for the way to each of the values
-  std::vector<double> feeds;       ///< of the tip on the way to each; 0 where joints move to it [mm/s]
+  std::vector<std::size_t> lines;  ///< lines of the program, for the motion to each of the values
+  std::vector<double> feeds;       ///< feeds of the tip on the motion to each value [mm/s]; 0 for joint moves
   std::vector<PassageFault> faults;
 };
 
-/// The passages of a program, each from the waypoint before it, or from the first joints stated, up to the
-/// waypoint behind it. Joint moves go from joints to joints; straight ones are led as along the part
-/// (`alongStraightMoves`). Faults are limits, places out of reach, and joints that turn by more than
-/// `joints.max_turn_deg` from one place of a straight way to the next. `before` counts the stated waypoints.
+/// The passages of a program. Each begins at the previous waypoint, or at the first stated joints, and ends
+/// at the next waypoint. Joint moves are interpolated in the joints, straight moves as along the part
+/// (`alongStraightMoves`). Faults are limits, poses out of reach, and joints that turn by more than
+/// `joints.max_turn_deg` between two neighbouring points of a straight move. `before` counts the stated
+/// waypoints.
 std::vector<RunPassage> ledPassages(const KinematicModel& model, const StatedMotion& motion,
                                     const JointPathSettings& settings);
 
-/// Time of the ways of all passages [s]: each goes from rest to rest, a straight one at its feed within
-/// `motion.travel_acceleration_mm_s2` or as slowly as joints need, one of the joints at the greatest speeds
-/// of these with the ramp of `trajectory.joint_ramp_s`. A place that is not reached takes none.
+/// Time of all passages [s]. Each move goes from rest to rest. A straight move has its feed within
+/// `motion.travel_acceleration_mm_s2`, or is as slow as the joints require. A joint move has the greatest
+/// speeds of the joints, with the ramp of `trajectory.joint_ramp_s`. A move to a pose that is not reached
+/// takes no time.
 double passageTime(const std::vector<RunPassage>& passages, const KinematicModel& model,
                    const TimingSettings& settings);
 
-/// What of the way to the first waypoint of an arm's program is not known, in one sentence: it begins
-/// wherever the arm stands.
+/// A sentence on the unknown part of the motion to the first waypoint of an arm's program, which begins
+/// wherever the arm stands. Empty for other programs.
 std::string unknownWay(const StatedMotion& motion);
 
 }  // namespace lamina

@@ -18,7 +18,7 @@ struct LayingSettings {
 
 /// An orientation in which a part lies on a face of its convex hull.
 struct Laying {
-  /// Rotations about the fixed axes x, y, z, in this order; that about z is 0.
+  /// Rotations about the fixed axes x, y, z, in this order; the rotation about z is 0.
   Point3 turn_deg = Point3::Zero();
   double overhang_mm2 = 0.0;  ///< area of overhanging faces, projected to the bed
   double height_mm = 0.0;
@@ -27,9 +27,8 @@ struct Laying {
   double cost() const { return overhang_mm2 + 0.1 * height_mm; }
 };
 
-/// Orientations of a part on the faces of its convex hull, that of the least cost first. Among equal costs
-/// the one with the larger face comes first, then the one with the smaller rotation. Computed by several
-/// threads.
+/// Orientations of a part on the faces of its convex hull, the least cost first. Among equal costs the larger
+/// face comes first, then the smaller rotation. Computed by several threads.
 /// @throws InvalidMesh if the part is flat
 std::vector<Laying> layings(const Mesh& part, const LayingSettings& settings);
 

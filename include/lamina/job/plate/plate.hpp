@@ -15,13 +15,13 @@ namespace lamina {
 /// A part of a plate as it is requested, and the number of its copies.
 struct PlatePart {
   std::string file;  ///< path of a mesh file, or the name of a parametric part
-  std::string name;  ///< in programs and messages; empty for that of the file
-  /// Where the middle of its bounding box is put [bed frame]; nothing to have it arranged.
+  std::string name;  ///< name in programs and messages; empty for that of the file
+  /// Position of the middle of its bounding box [bed frame]; nothing to have the part arranged.
   std::optional<Point2> at_mm;
   Point3 turn_deg = Point3::Zero();  ///< rotations about the fixed axes x, y, z, in this order
   double scale = 1.0;                ///< factor on its size, above 0
   int copies = 1;
-  std::vector<SettingText> settings;  ///< of its own (`requirePartSetting`)
+  std::vector<SettingText> settings;  ///< settings of its own (`requirePartSetting`)
 };
 
 /// Parts that share a bed, and settings of the plate that its file states.
@@ -37,14 +37,14 @@ Plate readPlateFile(const std::string& path);
 
 /// Reads a plate from YAML text, as `readPlateFile`.
 /// @param source_name  names the text in errors
-/// @param folder       to which paths of parts are relative
+/// @param folder       folder to which paths of parts are relative
 Plate readPlate(const std::string& yaml, const std::string& source_name, const std::string& folder);
 
 /// A plate with one part from each file.
 Plate plateOf(const std::vector<std::string>& files);
 
-/// Checks that a part of a plate may have a setting of its own: only those of what is deposited in its
-/// layers. Motion, machine, cooling and program are settings of the plate.
+/// Checks that a part of a plate may have a setting of its own: settings of the deposition in its layers.
+/// Settings of motion, machine, cooling and program belong to the plate.
 /// @throws InvalidConfig otherwise, naming the settings that a part may have
 void requirePartSetting(const SettingText& setting, const std::string& part);
 

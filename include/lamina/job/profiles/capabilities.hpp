@@ -24,7 +24,7 @@ struct MachineCapabilities {
 
 /// The material that is deposited.
 struct MaterialSettings {
-  std::string name;            ///< for messages and programs; empty if not stated
+  std::string name;            ///< name in messages and programs; empty if not stated
   double density_g_cm3 = 0.0;  ///< 0 if not known
 };
 
@@ -38,8 +38,8 @@ void describe(SettingsSchema& schema, MaterialSettings& material);
 /// @throws InvalidConfig naming the key, its value, and what the machine can do
 void requireCapable(const JobSettings& settings);
 
-/// Checks the heights of layers that a table states, from the first on, as `requireCapable` does those of
-/// adaptive layers.
+/// Checks the heights of layers that a table states, from the first on, as `requireCapable` checks the
+/// heights of adaptive layers.
 /// @throws InvalidConfig naming the layer, its height, and what the machine can do
 void requireCapableOfTable(const std::vector<double>& heights_mm, const JobSettings& settings);
 

@@ -37,7 +37,8 @@ struct LayeredSettings {
   /// By key, in ascending precedence; without keys that no source states.
   std::map<std::string, std::vector<SettingOrigin>> origins;
 
-  /// All values stated for a key, in ascending precedence: the built-in one first, the one that holds last.
+  /// All values stated for a key, in ascending precedence: the built-in value first, the effective value
+  /// last.
   /// @throws InvalidConfig if there is no such setting
   std::vector<SettingOrigin> explain(const std::string& key) const;
 };
@@ -51,8 +52,8 @@ struct LayeredSettings {
 ///   later source sets machine.name while machine.urdf of an earlier one would still hold
 LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary& library);
 
-/// Sets what the profiles of `sources.material` and `sources.process` state, the material's first. Of
-/// `sources.machine` only the name counts: which machine they have to be meant for, where it has a profile.
+/// Sets what the profiles of `sources.material` and `sources.process` state, the material's first.
+/// `sources.machine` only names the machine for which the profiles must be meant, if it has a profile.
 /// @throws as `loadLayered`
 void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const ProfileLibrary& library);
 
@@ -61,7 +62,7 @@ void applyProfiles(SettingsSchema& schema, const SettingsSources& sources, const
 /// @throws InvalidConfig
 void validate(const LayeredSettings& layered);
 
-/// The same for a program that is to be written there: its format may lack what settings ask for.
+/// The same, and checks the settings against the format of a program to be written to `output`.
 /// @throws InvalidConfig
 void validate(const LayeredSettings& layered, const std::string& output);
 

@@ -17,16 +17,17 @@ struct StatedKeys {
   std::set<std::string> typed;     ///< by the user who asks for the job, not by a profile
 };
 
-/// A setting whose built-in value does not fit the machine, with the value that does.
+/// A setting whose built-in value does not fit the machine, with a value that fits.
 struct MachineDefault {
   SettingText setting;
   std::string follows;  ///< key of the machine's setting from which it follows: "machine.has_fan"
 };
 
-/// The settings that follow from the machine, without those that have that value already:
+/// The settings that follow from the machine, without settings that already have the value:
 /// - no fan if `machine.has_fan` is false, and a cold bed if `machine.has_bed_heater` is false, unless typed;
-/// - if `machine.nozzle_mm` is known, beads as wide as the nozzle; layers and first layer half as high;
-///   adaptive layers from a quarter to three quarters of its width; each unless stated anywhere;
+/// - if `machine.nozzle_mm` is known, beads as wide as the nozzle; layers and first layer of half the
+///   nozzle's width; adaptive layers from a quarter to three quarters of that width; each unless stated
+///   anywhere;
 /// - these heights, or the built-in ones, brought within `machine.least_layer_mm` and
 ///   `machine.greatest_layer_mm`, unless stated anywhere.
 /// In modes whose first layer has no height of its own, it gets the common layer height.

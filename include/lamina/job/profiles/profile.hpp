@@ -20,11 +20,11 @@ struct Profile {
   ProfileKind kind = ProfileKind::Machine;
   std::string name;
   std::string about;  ///< description in one line
-  /// Name of a profile of the same kind, whose settings this one overrides; empty for none.
+  /// Name of a profile of the same kind whose settings this profile overrides; empty for none.
   std::string inherits;
-  int inherits_line = 0;                  ///< line of the file that names it
-  std::vector<std::string> for_machines;  ///< names of machines that it is meant for; empty for all
-  std::string path;                       ///< of its file
+  int inherits_line = 0;                  ///< line of the file that names the inherited profile
+  std::vector<std::string> for_machines;  ///< names of machines for which the profile is meant; empty for all
+  std::string path;                       ///< path of the profile's file
   std::vector<PlacedSetting> settings;
 };
 

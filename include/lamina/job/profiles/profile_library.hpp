@@ -11,7 +11,7 @@ namespace lamina {
 
 /// Folders in which profiles are searched, in this order, each with subfolders `machines`, `materials` and
 /// `processes`: those listed in the environment variable LAMINA_PROFILES, separated by colons; the user's own
-/// (`lamina/profiles` in XDG_CONFIG_HOME or ~/.config); and the one installed with Lamina.
+/// folder (`lamina/profiles` in XDG_CONFIG_HOME or ~/.config); and the folder installed with Lamina.
 /// @throws InvalidConfig if LAMINA_PROFILES lists something that is not a folder
 std::vector<std::string> profileFolders();
 
@@ -26,9 +26,9 @@ class ProfileLibrary {
   bool has(ProfileKind kind, const std::string& name) const { return !pathOf(kind, name).empty(); }
 
   /// A profile and all those it inherits from, the most distant ancestor first.
-  /// @param name  of a profile, or path of its file (.yaml)
-  /// @throws InvalidConfig if there is none, naming those there are; naming the file, if one is of another
-  ///   kind, has another name than its file, or inherits from itself
+  /// @param name  name of a profile, or path of its file (.yaml)
+  /// @throws InvalidConfig if there is none, naming the existing profiles; naming the file, if a profile is
+  ///   of another kind, has another name than its file, or inherits from itself
   /// @throws as `readProfile`
   std::vector<Profile> find(ProfileKind kind, const std::string& name) const;
 

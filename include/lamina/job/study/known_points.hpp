@@ -19,7 +19,7 @@ struct KnownPoint {
 /// The points with which a search begins.
 struct KnownPoints {
   std::vector<KnownPoint> points;  ///< without repetitions
-  /// Names of those left out, each with the reason why it is no point of the space.
+  /// Names of the points left out, each with the reason why it is no point of the space.
   std::vector<std::string> left_out;
 };
 

@@ -30,7 +30,7 @@ struct StudyState {
   /// The best value of each objective by itself, in the front or among feasible samples; the values may
   /// belong to different points. Empty if no point is feasible.
   std::vector<double> best;
-  double hypervolume = 0.0;  ///< of the front; 0 for a search by surrogate
+  double hypervolume = 0.0;  ///< hypervolume of the front; 0 for a search by surrogate
 };
 
 /// Called after each generation or iteration.
@@ -39,7 +39,7 @@ using StudyListener = std::function<void(const StudyState&)>;
 /// Paths of the files that a study writes into its folder.
 struct StudyFiles {
   std::string journal;        ///< every evaluation as it was done; a stopped run is continued from it
-  std::string front_journal;  ///< the same for what is measured again for the points of the front
+  std::string front_journal;  ///< the same for the second measurement at the points of the front
   std::string front;          ///< front.csv: the points of the front
   std::string evaluations;    ///< evaluations.csv: all points, with errors
   std::string chosen;         ///< chosen.yaml: configuration of the chosen point

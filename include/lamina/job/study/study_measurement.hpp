@@ -43,8 +43,8 @@ class StudyMeasurement {
 
   /// A hash, as 16 hexadecimal digits, of what responses depend on besides the point: settings, commands, the
   /// version of Lamina, and the contents of files: the part, its base, modifiers with their meshes, the table
-  /// of heights, and the machine's description, also of those that variables and baselines name. Meshes that
-  /// the description names, and files that commands name, are not read for it.
+  /// of heights, and the machine's description, including files that variables and baselines name. Meshes
+  /// named by the description, and files named by commands, are not included.
   /// @throws FileError; InvalidConfig as `readModifiersFile` and `readMachineDescription`
   std::string fingerprint() const;
 

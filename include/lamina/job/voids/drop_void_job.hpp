@@ -18,7 +18,7 @@ namespace lamina {
 
 /// Report on the voids between the drops of a program or toolpath, and on how they were filled.
 struct DropVoidReport {
-  double diameter_mm = 0.0;                  ///< of a drop
+  double diameter_mm = 0.0;                  ///< diameter of a drop
   std::vector<std::vector<DropVoid>> voids;  ///< of each layer
   std::vector<double> heights_mm;            ///< height of each layer's drops; empty for a toolpath
   OverlapReading overlap;
@@ -41,7 +41,7 @@ struct FilledDropProgram {
 };
 
 /// The layers of a program as needed for the search of voids: chains of drops, by the roles that the program
-/// states, or by guessed ones if it states none. A chain that is back at its start ends there if the next
+/// states, or by guessed roles if it states none. A chain that is back at its start ends there if the next
 /// drop is farther away than two diameters and two steps.
 /// @throws InvalidProgram if the program deposits no drop, or its header states no diameter
 std::vector<DropLayer> dropLayers(const DropProgram& program);

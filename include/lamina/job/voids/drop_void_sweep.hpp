@@ -11,8 +11,8 @@
 namespace lamina {
 
 /// The effect that filling voids at one allowed overlap would have on a program of drops. The uncovered areas
-/// are those of the whole inside, with the pores of the pattern, so that they can be compared: the voids that
-/// are found differ with the overlap.
+/// are those of the whole inside, with the pores of the pattern: they can be compared between overlaps,
+/// whereas the voids found differ with the overlap.
 struct DropSweepStep {
   double overlap = 0.0;   ///< the allowed overlap
   std::size_t voids = 0;  ///< number of voids found
@@ -23,14 +23,14 @@ struct DropSweepStep {
   bool is_worth_it = false;
 };
 
-/// Tries allowed overlaps from 0 to 0.4 in steps of 0.05, so that one can be chosen before anything is
-/// printed [Sobreviela2014, section 6.1]; all other settings stay.
+/// Tries allowed overlaps from 0 to 0.4 in steps of 0.05, to choose one before printing [Sobreviela2014,
+/// section 6.1]; all other settings stay.
 /// @throws InvalidProgram as `reportDropVoids`; Cancelled
 std::vector<DropSweepStep> sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                           Progress& progress);
 
 /// Uncovered share of the area within the contours [%]; 0 if there is none.
-/// @param coverage  the step's, before or after
+/// @param coverage  `before` or `after` of the step
 double uncoveredPercent(const DropSweepStep& step, const DiscCoverage& coverage);
 
 /// The table as text: a line of names, then one line per step.

@@ -31,8 +31,8 @@ struct PlacedContours {
   /// Layers of the part that the program lacks, above its last layer or between others; they count as wholly
   /// uncovered.
   std::vector<LayerVoids> missing;
-  /// Where one layer is of another section than the part, between layers that are not: what it has; empty if
-  /// none is.
+  /// Description of the first layer whose section differs from the part's, if the compared layers beside it
+  /// agree with the part; empty if there is none.
   std::string other_section;
 };
 
@@ -44,17 +44,17 @@ struct PlacedContours {
 /// slicers do, are tried too. The candidate with the least uncovered and overfilled area on a few layers is
 /// used. Without a part, the contour of each layer is the area that its closed outer walls enclose.
 /// @throws InvalidMesh, FileError
-/// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as those
-///   of another part or scale, or what lies within them in two compared layers after each other: beads
-///   outside the part, or holes without beads that the part does not have; if the offset is not finite, the
-///   layers are inclined, or the program's layers do not rise; if there is neither part nor outer wall
+/// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as for
+///   another part or scale; if most compared layers, or two in succession, have beads outside the part or
+///   holes without beads that the part does not have; if the offset is not finite, the layers are inclined,
+///   or the program's layers do not rise; if there is neither part nor outer wall
 /// @throws Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 
 /// How well a program fills a part.
 struct VoidReport {
   PlacedContours part;
-  std::vector<LayerVoids> layers;  ///< those of the program
+  std::vector<LayerVoids> layers;  ///< layers of the program
 };
 
 /// Sums over the layers of the program and those that it lacks, which count as wholly uncovered. Only

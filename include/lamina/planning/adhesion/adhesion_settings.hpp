@@ -21,7 +21,7 @@ struct RaftSettings {
   int layers = 0;               ///< number, the base included; 0: none
   double base_height_mm = 0.3;  ///< height of the lowest layer
   int top_layers = 2;           ///< number of solid layers on top
-  double margin_mm = 3.0;       ///< by which the raft extends beyond what stands on it
+  double margin_mm = 3.0;       ///< distance by which the raft extends beyond all that stands on it
   double gap_mm = 0.15;         ///< between raft and part
 };
 
@@ -34,8 +34,8 @@ struct PrimeSettings {
   double section_mm2 = 0.5;  ///< cross-section of its bead
 };
 
-/// Brim and raft, which hold a part to the bed, and the line that primes the nozzle before it. All off by
-/// default.
+/// Brim and raft that hold a part to the bed, and a line that primes the nozzle before the part. All are off
+/// by default.
 struct AdhesionSettings {
   BrimSettings brim;
   RaftSettings raft;

@@ -26,8 +26,8 @@ double insetOf(std::size_t layer, const FirstLayerSettings& settings);
 
 /// Compensates the contours of layers: offsets outlines and holes, and insets the first layers, whose beads
 /// the bed squeezes out. Without effect for default settings. Parallel over layers.
-/// @param layers  from the bed
-/// @param bead_width_mm  in the first layers
+/// @param layers  layers from the bed upwards
+/// @param bead_width_mm  width of beads in the first layers
 /// @throws Cancelled
 void compensate(std::vector<Layer>& layers, const CompensationSettings& settings,
                 const FirstLayerSettings& first_layer, double bead_width_mm, Progress& progress);

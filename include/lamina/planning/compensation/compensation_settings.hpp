@@ -21,7 +21,7 @@ struct FirstLayerSettings {
 /// Compensation of the changes in size that the process causes, before walls are planned.
 struct CompensationSettings {
   double outline_mm = 0.0;     ///< inset of outer outlines; negative: outwards
-  double holes_mm = 0.0;       ///< by which holes are widened on each side; negative: narrowed
+  double holes_mm = 0.0;       ///< widening of holes on each side; negative: narrowing
   double least_hole_mm = 0.0;  ///< width above which holes stay as they are; 0 for no limit
   double shrink_xy = 0.0;      ///< share by which the print shrinks within the layers as it cools
   double shrink_z = 0.0;       ///< share by which it shrinks across the layers

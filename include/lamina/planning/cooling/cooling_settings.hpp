@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// How a layer is made to take its least time: by lower feeds, by a dwell, or by a dwell where feeds cannot
-/// be low enough.
+/// How a layer reaches its least time: by lower feeds and, where these do not suffice, a dwell; by lower
+/// feeds only; by a dwell only.
 enum class CoolingBy : std::uint8_t { SlowThenDwell, Slow, Dwell };
 
 /// Where the nozzle waits.
 enum class ParkPlace : std::uint8_t {
   Outside,  ///< beside the part, on the side of the least x
-  Corner,   ///< over the corner of the part's box of least x and y
-  Stay      ///< over where it was
+  Corner,   ///< over the corner of least x and y of the part's bounding box
+  Stay      ///< above its position at that time
 };
 
 /// The interval to which the least time applies.
 enum class CoolingInterval : std::uint8_t {
   Layer,  ///< from the start of a layer to its end
-  Place   ///< from leaving an island to coming back to it one layer higher
+  Place   ///< from the end of an island to the start of the island above it
 };
 
 /// The least time of layers.
@@ -31,7 +31,7 @@ struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
   CoolingBy by = CoolingBy::SlowThenDwell;
   double least_feed_mm_s = 10.0;  ///< lower bound of deposition feeds
-  double lift_mm = 2.0;           ///< by which the nozzle is lifted while it waits
+  double lift_mm = 2.0;           ///< lift of the nozzle while it waits
   ParkPlace park = ParkPlace::Outside;
   CoolingInterval interval = CoolingInterval::Layer;
 };
@@ -46,7 +46,7 @@ struct FanSettings {
   double greatest = 1.0;              ///< greatest share
   double full_below_s = 5.0;          ///< layer time up to which the greatest share is used
   double least_at_s = 60.0;           ///< layer time with the least share; linear in between
-  WhenSlow beyond = WhenSlow::Least;  ///< for layers that take longer
+  WhenSlow beyond = WhenSlow::Least;  ///< share for layers longer than `least_at_s`
   double bridge = 1.0;                ///< share for bridges
   double overhang = 1.0;              ///< share for unsupported walls and skins
   std::string by_role;                ///< shares for other roles: "support_interface=1,top_skin=0.8"

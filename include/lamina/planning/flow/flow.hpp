@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-/// Limits the flow by lower feeds. The feed of a motion that deposits a bead is at most `greatest_mm3_s` over
-/// the bead's section. Along each run of joined paths the flow changes by at most `greatest_slope_mm3_s2`:
-/// motions beside a change get waypoints, at which the feed changes in steps. Runs begin and end at any flow.
-/// Beads stay as they are. Limits of 0 change nothing. Parallel over layers.
+/// Limits the flow by lower feeds. The feed of a motion that deposits a bead is at most `greatest_mm3_s`
+/// divided by the bead's section. Along each run of joined paths the flow changes by at most
+/// `greatest_slope_mm3_s2`: motions beside a change get waypoints, at which the feed changes in steps. Runs
+/// begin and end at any flow. Beads stay as they are. Limits of 0 change nothing. Parallel over layers.
 /// @param flow_factor  factor of the program on all extrusion
 /// @return number of paths that are slowed down
 std::size_t limitFlow(Toolpath& toolpath, const FlowSettings& settings, double flow_factor,
@@ -23,7 +23,7 @@ std::size_t limitFlow(Toolpath& toolpath, const FlowSettings& settings, double f
 /// Result of `coast`: runs whose ends are deposited by the pressure left in the nozzle.
 struct Coasting {
   std::size_t runs = 0;
-  double left_mm3 = 0.0;  ///< total volume that is left to the pressure
+  double left_mm3 = 0.0;  ///< total volume deposited by this pressure
 };
 
 /// Turns the end of each run of beads into a travel, over the length that holds `coast_mm3`, but at most
@@ -33,24 +33,24 @@ Coasting coast(Toolpath& toolpath, const FlowSettings& settings, Progress& progr
 /// Result of `feedForward`: what cannot be compensated.
 struct FeedForward {
   std::size_t runs = 0;  ///< all runs
-  /// Volume that is off the planned beads, since it would have to be pulled back, be pushed above the
-  /// greatest flow, or leave the nozzle within the dead time.
+  /// Volume by which beads deviate from the plan: it would have to be retracted, be pushed above the greatest
+  /// flow, or leave the nozzle within the dead time.
   double unmet_mm3 = 0.0;
-  double unmet_mm = 0.0;  ///< length of the runs over which that volume is off
+  double unmet_mm = 0.0;  ///< length of motions whose flow is bounded by 0 or by the greatest flow
 };
 
 /// Compensates the lag of a nozzle whose flow q follows the pushed flow u by `lag_s dq/dt + q = u(t -
-/// dead_time_s)`. Each bead is replaced by the one that has to be pushed so that the planned one leaves the
+/// dead_time_s)`. Each bead is replaced by the bead that must be pushed for the planned bead to leave the
 /// nozzle. Times are those of the estimate from rest to rest; motions get waypoints where the flow changes.
-/// The flow pushed lies between 0 and `greatest_mm3_s`. Each run starts without pressure, and what it needs
-/// is pushed at its start. Lag and dead time of 0 change nothing.
+/// The pushed flow lies between 0 and `greatest_mm3_s`. Each run starts without pressure; the pressure is
+/// built up at the start of the run. Lag and dead time of 0 change nothing.
 /// @param flow_factor  factor of the program on all extrusion
 FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
                         double flow_factor);
 
-/// Adds events that set the firmware's pressure advance: at the first path that deposits, at each change, and
-/// after each change of the tool, as firmwares keep one for each.
-/// An advance of 0 for all roles changes nothing.
+/// Adds events that set the firmware's pressure advance: at the first path that deposits, at each change of
+/// the advance, and after each tool change, as firmwares keep one advance per tool. An advance of 0 for all
+/// roles changes nothing.
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings);
 
 }  // namespace lamina

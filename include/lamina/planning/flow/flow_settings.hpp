@@ -11,7 +11,7 @@ namespace lamina {
 
 /// The firmware for which the command of the pressure advance is written.
 enum class AdvanceWord : std::uint8_t {
-  Dialect,  ///< that of the dialect of the program; where none is known, that of Marlin
+  Dialect,  ///< firmware of the program's dialect; Marlin if the dialect is not known
   Marlin,
   Klipper,
   RepRapFirmware
@@ -20,9 +20,9 @@ enum class AdvanceWord : std::uint8_t {
 /// Limits and lag of the flow through a nozzle.
 struct FlowSettings {
   double greatest_mm3_s = 0.0;         ///< 0 for no limit
-  double greatest_slope_mm3_s2 = 0.0;  ///< greatest change along a run; 0 for no limit
-  double coast_mm3 = 0.0;         ///< volume at the end of each run that is left to the pressure; 0 for none
-  double coast_longest_mm = 2.0;  ///< greatest length that is left to the pressure
+  double greatest_slope_mm3_s2 = 0.0;  ///< greatest rate of change along a run; 0 for no limit
+  double coast_mm3 = 0.0;  ///< volume at the end of each run deposited by the remaining pressure; 0 for none
+  double coast_longest_mm = 2.0;  ///< greatest length over which a run coasts
   double advance_s = 0.0;         ///< pressure advance of the firmware; 0 leaves it alone
   std::string advance_by_role;    ///< [s], as "outer_wall=0.04, infill=0.06"; `advance_s` for other roles
   AdvanceWord advance_word = AdvanceWord::Dialect;

@@ -21,14 +21,15 @@ struct HookSettings {
   SettingTable after_role;    ///< by the role's name
   SettingTable at_layer;      ///< by the layer's number, from 0
   SettingTable at_height_mm;  ///< by the height reached [mm]
-  /// Whether code may move axes; position, modes and feed are then restated after it.
+  /// Whether code may move axes; if so, position, modes and feed are restated after the code.
   bool moves_axes = false;
 };
 
 /// Places at which the machine waits for its operator.
 struct PauseSettings {
-  std::vector<double> at_layers;  ///< numbers of layers, from 0, before which it waits
-  /// Heights over the bed [mm]; it waits before each part's first layer that begins at or above each.
+  std::vector<double> at_layers;  ///< numbers of layers, from 0, before which the machine waits
+  /// Heights over the bed [mm]: for each, the machine waits before every part's first layer that begins at or
+  /// above it.
   std::vector<double> at_heights_mm;
 };
 

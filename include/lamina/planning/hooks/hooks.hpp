@@ -20,12 +20,13 @@ struct HookSite {
   MotionLimits limits;
 };
 
-/// Adds a pause at a parking place, and the travels to it and back, before the first bead of each layer that
-/// the settings name, and of the first layer of each part that begins at or above each height over the bed:
-/// of parts that are deposited one after the other, each that is high enough pauses. The pause of a layer
-/// without beads comes in the next one. Several pauses at one layer are one.
+/// Adds pauses at a parking place, with the travels there and back. A layer of the settings has a pause
+/// before its first bead. A height of the settings has a pause before the first bead of the first layer that
+/// begins at or above this height over the bed. If parts are deposited one after the other, every part that
+/// is high enough has such a pause. The pause of a layer without beads moves to the next layer with beads.
+/// Several pauses in one layer become one.
 /// @param parking  lift and place of parking
-/// @throws InvalidConfig if there is no such layer, or none above that height
+/// @throws InvalidConfig if a layer does not exist, or no layer begins at or above a height
 void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingSettings& parking,
                const HookSite& site);
 
@@ -43,7 +44,8 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
 /// {left_s} and {share} of the estimated time, {role}, {part}, {tool} and the {next_tool} after it,
 /// {nozzle_temperature_c}, {bed_temperature_c}, {x_mm} and {y_mm} of the nozzle in the program. A line whose
 /// placeholder has no value (no next tool, 0 deg C) is left out.
-/// @throws InvalidConfig as `requireConsistent`; if there is no such layer, or none above that height
+/// @throws InvalidConfig as `requireConsistent`; if a layer does not exist, or no layer begins at or above a
+///   height
 void addHooks(Toolpath& toolpath, const HookSettings& settings, const HookSite& site);
 
 }  // namespace lamina

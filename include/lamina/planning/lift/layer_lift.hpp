@@ -12,7 +12,7 @@ namespace lamina {
 /// A layer at its place in the part.
 struct LiftedLayer {
   ToolpathLayer layer;
-  double left_out_mm3 = 0.0;  ///< volume of the plan that has no room there
+  double left_out_mm3 = 0.0;  ///< planned volume for which the layer has no room
 };
 
 /// Lifts a layer from its flat plan to its place in the part: positions, orientations, and beads with the

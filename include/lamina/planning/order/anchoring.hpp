@@ -27,7 +27,7 @@ void describe(SettingsSchema& schema, AnchorSettings& anchoring);
 /// The bed below inclined layers, in their frame.
 struct BedPlane {
   Point3 up = Point3::UnitZ();  ///< away from the bed, of unit length
-  double level_mm = 0.0;        ///< of the bed along `up`
+  double level_mm = 0.0;        ///< height of the bed along `up`
 
   double heightOf(const Point3& point) const { return up.dot(point) - level_mm; }
 };

@@ -13,10 +13,11 @@ struct OverhangingWallSettings {
   bool is_used = false;
   /// Unsupported shares of the bead's width, ascending.
   std::vector<double> shares{0.25, 0.5, 0.75, 1.0};
-  std::vector<double> feed_factors{1.0, 0.7, 0.5, 0.35};  ///< at these shares, linear between them
+  /// Factors on the feed at `shares`, linear between them.
+  std::vector<double> feed_factors{1.0, 0.7, 0.5, 0.35};
   std::vector<double> flow_factors{1.0, 1.0, 1.0, 1.0};
   bool reverses = false;         ///< overhanging walls of every second layer run in the opposite direction
-  double least_feed_mm_s = 0.0;  ///< below which factors do not lower a feed; from cooling.least_feed_mm_s
+  double least_feed_mm_s = 0.0;  ///< lower bound of reduced feeds; from cooling.least_feed_mm_s
 };
 
 /// Adds the keys overhangs.*.
@@ -27,13 +28,15 @@ void describe(SettingsSchema& schema, OverhangingWallSettings& settings);
 void requireConsistent(const OverhangingWallSettings& settings);
 
 /// Unsupported share of a bead's width, 0 to 1.
-/// @param beyond_mm  by which the bead's outer edge lies beyond the layer below; negative if it lies on it
+/// @param beyond_mm  distance of the bead's outer edge beyond the layer below; negative if the edge lies on
+///   that layer
 double overhangShare(double beyond_mm, double width_mm);
 
-/// Factor on the feed of a wall of that share; 1 below the first entry, the last one above the last.
+/// Factor on the feed of a wall by its unsupported share: 1 below the first of `shares`, the last factor
+/// above the last of `shares`.
 double overhangFeedFactor(double share, const OverhangingWallSettings& settings);
 
-/// Factor on the cross-section of a wall's bead of that share, by the same rule.
+/// Factor on the cross-section of a wall's bead by its unsupported share, by the same rule.
 double overhangFlowFactor(double share, const OverhangingWallSettings& settings);
 
 }  // namespace lamina

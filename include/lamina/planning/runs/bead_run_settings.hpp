@@ -29,14 +29,14 @@ enum class LeadShape : std::uint8_t {
   None,
   Line,
   Arc,
-  Loop,  ///< a whole circle, from where the run begins or ends and back
+  Loop,  ///< a whole circle that touches the run's start or end
 };
 
 /// What the process does along a lead.
 enum class LeadDeposit : std::uint8_t {
   Dry,   ///< deposits nothing
   Bead,  ///< deposits the run's bead
-  Ramp,  ///< deposits a bead that grows to that of the run, or fades from it
+  Ramp,  ///< deposits a bead that grows to the run's bead, or fades from it
 };
 
 /// Leads before and after the beads of a run, and how a closed run is closed.
@@ -60,7 +60,7 @@ enum class EntryDirection : std::uint8_t {
   Tangent,   ///< along the tangent of the run or its lead; along the tool axis where there is no room
 };
 
-/// Straight entries to each run and exits from it: from and to points at a distance.
+/// Straight entries to runs from points at a distance, and straight exits to such points.
 struct EntrySettings {
   double distance_mm = 0.0;  ///< 0 for none
   EntryDirection direction = EntryDirection::ToolAxis;
@@ -72,11 +72,11 @@ struct LevelSettings {
   std::string values;             ///< "laser_power_w=1200, wire_speed_mm_s=from_bead"; empty for none
   double wire_diameter_mm = 1.2;  ///< diameter of the wire, for `from_bead`
   double start_share = 1.0;       ///< share of the value where a run starts
-  double start_mm = 0.0;          ///< length over which it becomes the whole value
+  double start_mm = 0.0;          ///< length over which the value rises from that share to the whole
   double end_share = 1.0;         ///< share of the value where a run ends
-  double end_mm = 0.0;            ///< length over which it becomes that share
+  double end_mm = 0.0;            ///< length over which the value falls from the whole to that share
   SettingTable channels;          ///< bounds, dead time, ends and material of each value, by its name
-  SettingTable rules;             ///< list of rules that change values, of which later ones win
+  SettingTable rules;             ///< list of rules that change values; later rules override earlier ones
 };
 
 /// Curve on which a tip swings across the centre line of a bead.
@@ -85,8 +85,8 @@ enum class WeaveKind : std::uint8_t {
   Zigzag,
   Sine,
   Trapezium,
-  Circle,  ///< circles whose centre advances along the line, by the amplitude ahead of the path
-  Eight,   ///< figures of eight with a loop on each side; half as far ahead and back as aside
+  Circle,  ///< circles whose centre advances along the line, one amplitude ahead
+  Eight,   ///< figures of eight with a loop on each side; half as long as wide
 };
 
 /// The speed that the feed states while a tip weaves.
@@ -98,17 +98,16 @@ enum class WeaveFeed : std::uint8_t {
 /// Weaving of the tip across the centre line of beads.
 struct WeaveSettings {
   WeaveKind kind = WeaveKind::None;
-  double amplitude_mm = 2.0;   ///< half the width that is swung
+  double amplitude_mm = 2.0;   ///< greatest offset to each side
   double wavelength_mm = 4.0;  ///< along the centre line
-  double flat_share = 0.25;    ///< share of a wave that a trapezium stays on each side
+  double flat_share = 0.25;    ///< share of a wave during which a trapezium stays on each side
   double left_s = 0.0;         ///< rest on the left in each wave, with the process on
   double right_s = 0.0;        ///< rest on the right
   WeaveFeed feed = WeaveFeed::Advance;
   double tolerance_mm = 0.05;  ///< greatest distance of chords from the curve
-  double swing_deg =
-      /// Angle of the tool axis about the direction of travel, at the amplitude, to the side on which the tip
-      /// is.
-      0.0;
+  /// Rotation of the tool axis about the direction of travel where the tip is at the amplitude, towards the
+  /// side of the tip.
+  double swing_deg = 0.0;
 };
 
 /// What is done to runs of beads after they are planned.
@@ -123,7 +122,7 @@ struct BeadRunSettings {
 /// Adds the keys starts.*, lead.*, entry.*, levels.*, weave.*.
 void describe(SettingsSchema& schema, BeadRunSettings& settings);
 
-/// Whether a process value can follow from bead and feed: wire and powder.
+/// Whether a process value can be computed from bead and feed: wire and powder.
 constexpr bool canFollowBead(ProcessLevel level) {
   return level == ProcessLevel::WireSpeed || level == ProcessLevel::Powder;
 }
@@ -132,12 +131,13 @@ constexpr bool canFollowBead(ProcessLevel level) {
 struct StatedLevel {
   std::string name;
   double value = 0.0;         ///< in the unit of the name
-  bool is_from_bead = false;  ///< follows from bead and feed instead
+  bool is_from_bead = false;  ///< computed from bead and feed instead
 };
 
 /// The values in a list "name=value, ...", in its order.
 /// @throws InvalidConfig if an entry is not of that form; if a name is none of `ProcessLevel`, or stands
-///   twice; if a value is negative or no number; if `from_bead` stands for a name that cannot follow
+///   twice; if a value is negative or no number; if `from_bead` is given for a name that cannot be computed
+///   (`canFollowBead`)
 std::vector<StatedLevel> statedLevels(const std::string& text);
 
 /// @throws InvalidConfig naming key, value and unit, for a contradiction: a lead that rises and deposits, a

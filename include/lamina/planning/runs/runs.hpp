@@ -20,8 +20,8 @@ std::size_t spreadStarts(Toolpath& toolpath, const StartSettings& settings);
 
 /// Extends runs that are one closed path over their own start by `overlap_mm`. On the overlap the bead grows
 /// from nothing in the first pass and fades to nothing in the second one, in 16 steps each. Both passes
-/// together deposit the planned bead everywhere. A negative overlap ends such runs so much before their
-/// start, if they are at least ten times as long.
+/// together deposit the planned bead everywhere. With a negative overlap such runs end that distance before
+/// their start, if they are at least ten times as long.
 /// @return number of runs that were extended or shortened
 /// @throws InvalidInput naming layer and path if the overlap is as long as the run
 std::size_t overlapEnds(Toolpath& toolpath, const LeadSettings& settings);
@@ -37,22 +37,21 @@ struct LeadCount {
 struct EndCount {
   LeadCount leads;
   std::size_t entries = 0;
-  std::size_t without_tangent =
-      0;  ///< number of entries along the tool axis, as there is no room along the run
+  std::size_t without_tangent = 0;  ///< number of entries along the tool axis for lack of room along the run
 };
 
 /// Adds a lead before and after each run of the part: a travel at the run's feed, or a path of role Prime if
 /// it deposits a bead. A lead goes to the side with more room; if both sides have the same, it goes to the
-/// outside of a closed run. It comes no nearer to other beads of the layer than beads are to each other. A
-/// lead that would lie on the bead of its own run along more than half of its way is left out. A loop is
-/// smaller where there is less room. It keeps off its own path except where it touches that path.
+/// outside of a closed run. From other beads of the layer it keeps the distance of neighbouring beads. A lead
+/// that would overlap the bead of its own run along more than half of the lead's length is left out. A loop
+/// is smaller where there is less room. It keeps off its own path except at the point of contact.
 ///
-/// Adds an entry and an exit to each run, or to its lead: separate travels, straight and at a feed of their
-/// own, on which the tool comes from `distance_mm` away and leaves as far. These travels, and leads that
-/// deposit nothing, are retracted if the travel next to them is.
+/// Adds an entry and an exit to each run, or to its lead: separate straight travels of length `distance_mm`,
+/// at a feed of their own. Entries, exits and leads that deposit nothing are retracted if the adjacent travel
+/// is.
 ///
-/// The travels before and after the run then end and start at what was added. Runs that follow another path
-/// without a travel get none.
+/// The travels before and after the run then end and start at the added motions. Runs that follow another
+/// path without a travel get neither leads nor entries.
 EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettings& entry);
 
 /// Lets the tip swing across the beads of the part, by additional waypoints. Each path is woven by itself,
@@ -66,9 +65,9 @@ EndCount addEnds(Toolpath& toolpath, const LeadSettings& lead, const EntrySettin
 std::size_t weave(Toolpath& toolpath, const WeaveSettings& settings, const MotionLimits& limits);
 
 /// States process values on all paths that deposit beads. At the ends of runs they rise and fall in eight
-/// steps over the length of the settings; each motion has the value at its middle. `from_bead` is the speed
-/// of a wire that brings the bead's volume, section times feed over the wire's section. To be called once
-/// feeds are final.
+/// steps over the length of the settings; each motion has the value at its middle. With `from_bead` the value
+/// supplies the bead's volume: for wire, the bead's section times the feed, divided by the wire's section;
+/// for powder, the mass flow by density and efficiency. To be called once feeds are final.
 /// @throws InvalidConfig as `statedLevels`
 void stateLevels(Toolpath& toolpath, const LevelSettings& settings);
 

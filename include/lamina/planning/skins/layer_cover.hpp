@@ -30,7 +30,8 @@ struct LayerCover {
 /// the infill is sparse, of beads, and stays in its layer.
 bool takesSkins(const PlanSettings& settings);
 
-/// How many layers of one height a skin counts: those asked for, or as many as are that thick.
+/// Number of layers in a skin if all have the same height: the greater of the number asked for and the number
+/// that reaches the thickness.
 std::size_t skinCount(int layers, double thickness_mm, double layer_height_mm);
 
 /// The cover, moved in the plane of the layers [mm].
@@ -38,8 +39,8 @@ LayerCover moved(const LayerCover& cover, const Point2& by);
 
 /// The cover of each layer. Equal layers share their regions and cost nothing. Any other layer costs a few
 /// intersections, independent of the number of skin layers, by a window that slides over the stack.
-/// @param material    of each layer, from the bottom
-/// @param heights_mm  of each layer
+/// @param material    material of each layer, from the bottom
+/// @param heights_mm  height of each layer
 /// @return one per layer; the same for any number of threads
 std::vector<LayerCover> coversOf(std::vector<Regions> material, const std::vector<double>& heights_mm,
                                  const SkinSettings& settings, Progress& progress);

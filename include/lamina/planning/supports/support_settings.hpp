@@ -30,11 +30,11 @@ struct SupportSettings {
   double side_gap_mm = 0.6;       ///< between a support and walls beside it
   int interface_layers = 2;       ///< number of dense layers below the overhang, and on the part
   double interface_density = 0.8;
-  double least_width_mm = 0.4;     ///< narrower overhangs and columns are left out
-  double join_mm = 2.0;            ///< narrower gaps between columns are closed
-  double expand_mm = 0.0;          ///< by which the supported area extends beyond the overhang
-  double tip_mm = 0.8;             ///< diameter of the support of a single point, and of the tips of branches
-  double tip_spacing_mm = 2.0;     ///< distance of neighbouring tips
+  double least_width_mm = 0.4;  ///< narrower overhangs and columns are left out
+  double join_mm = 2.0;         ///< narrower gaps between columns are closed
+  double expand_mm = 0.0;       ///< extension of the supported area beyond the overhang
+  double tip_mm = 0.8;          ///< diameter of a support below a single point, and of the tips of branches
+  double tip_spacing_mm = 2.0;  ///< distance of neighbouring tips
   double branch_angle_deg = 40.0;  ///< greatest lean of a branch
   double branch_taper_deg = 5.0;   ///< angle by which each side of a branch widens downwards
   double branch_mm = 6.0;          ///< greatest diameter of a branch

@@ -15,7 +15,7 @@ namespace lamina {
 /// One of several heads or nozzles of a machine.
 struct Tool {
   std::string name;
-  Point3 offset_mm = Point3::Zero();  ///< of its nozzle relative to that of tool 0
+  Point3 offset_mm = Point3::Zero();  ///< offset of the nozzle from that of tool 0
   double nozzle_mm = 0.0;             ///< 0 if not known
   std::string material;
   double temperature_c = 0.0;  ///< while the tool works; 0: the temperature of the program
@@ -32,11 +32,13 @@ struct ToolSettings {
   int support = -1;    ///< -1: the tool of walls
   int interface = -1;  ///< -1: the tool of supports
 
-  /// Volume of a purge: one for all changes, or one per pair, row by row from each tool; empty: no tower.
+  /// Volumes of purges: one for all changes, or one per pair of tools, row by row for each previous tool;
+  /// empty: no tower.
   std::vector<double> purge_mm3;
-  bool purge_into_infill = false;   ///< as far as there is infill; only the rest goes into the tower
+  /// Purges go into infill as far as there is any; only the rest goes into the tower.
+  bool purge_into_infill = false;
   double tower_mm = 0.0;            ///< side of the prime tower; 0: as wide as its purges need
-  std::vector<double> tower_at_mm;  ///< x and y of its middle in the layers; empty: beside the part
+  std::vector<double> tower_at_mm;  ///< x and y of the tower's middle in the layers; empty: beside the part
 };
 
 /// Adds the keys tool.* and tools.*.
@@ -46,7 +48,7 @@ void describe(SettingsSchema& schema, ToolSettings& settings);
 /// @throws InvalidConfig if an entry is no field of a tool, a value does not fit, or a number is missing
 std::vector<Tool> toolsOf(const ToolSettings& settings);
 
-/// Offsets of the nozzles of these tools, in order [bed frame].
+/// Offsets of the nozzles of all tools, in order [bed frame].
 std::vector<Point3> toolOffsets(const ToolSettings& settings);
 
 /// Number of the tool that deposits paths of that role.
@@ -55,8 +57,8 @@ std::size_t toolFor(PathRole role, const ToolSettings& settings);
 /// Whether `tool.*` assigns any role to another tool than the first.
 bool assignsTools(const ToolSettings& settings);
 
-/// @throws as `toolsOf`; InvalidConfig if a role has a tool that is not in the list, or volumes are neither
-/// one nor one for each pair of tools, or there is none to purge into infill
+/// @throws as `toolsOf`; InvalidConfig if a role has a tool that is not in the list, if the volumes are
+///   neither one nor one for each pair of tools, or if `purge_into_infill` is set without a volume
 void requireConsistent(const ToolSettings& settings);
 
 }  // namespace lamina

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Paths along adapted curves, one bead per wall. Beads are outer walls of the set width, at each waypoint as
-/// high as the curve is above the one below. The tool axis is opposite to the curve's axis; the nozzle is
-/// rotated by the shortest way from straight down. Beads lie `walls.contour_offset` of their width inside the
-/// wall, along its normal; where the wall is too thin for that from both of its sides, nothing is deposited.
-/// Loops start as `seam.*` says, in random placement at the point nearest to the seam; open curves start at
-/// the end nearer to the nozzle. Layers are joined by travels.
+/// Paths along adapted curves, one bead per wall. Beads are outer walls of width `bead.width_mm`; their
+/// height at each waypoint is that of the curve. The tool axis is opposite to the curve's axis; the nozzle is
+/// rotated from straight down by the least angle. Beads lie inside the wall by `walls.contour_offset` of
+/// their width, along the wall's normal; in the lowest layer horizontally. Nothing is deposited where the
+/// wall is thinner than twice that distance. Loops start as `seam.*` says, in random placement at the point
+/// nearest to the seam; open curves start at the end nearer to the nozzle. Layers are joined by travels.
 ///
 /// @return `z_mm` is the highest point of a layer, `height_mm` its greatest height; layers on which nothing
 ///   is deposited are left out

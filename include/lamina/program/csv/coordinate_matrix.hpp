@@ -29,9 +29,9 @@ struct CoordinateRow {
 inline constexpr double kMatrixCorner = 2.0;
 
 /// The trajectories that deposit material of the part, in the order of the toolpath. A trajectory is a path
-/// from its first point on; a closed one ends with its first point again. Skirts, supports and travels are
-/// left out. Points are moved in x and y so that their lowest coordinates are `kMatrixCorner`; z stays. Empty
-/// if nothing is deposited.
+/// from its first point on; a closed path ends with its first point again. Skirts, supports and travels are
+/// left out. Points are moved in x and y: their lowest coordinates become `kMatrixCorner`; z stays. Empty if
+/// nothing is deposited.
 /// @param filament_diameter_mm  positive; column E is the length of such filament that holds the beads'
 ///   volume
 /// @throws InvalidInput if the diameter is not positive, or the toolpath is one of drops
@@ -40,7 +40,7 @@ std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double fil
 /// The matrix as CSV: a header, then x, y and z in metres, the flag, and the filament in mm.
 std::string toCsv(const std::vector<CoordinateRow>& rows);
 
-/// Number of trajectories in the rows: that of rows with the flag Start.
+/// Number of trajectories in the rows: the number of rows with the flag Start.
 std::size_t trajectoryCount(const std::vector<CoordinateRow>& rows);
 
 /// Width [mm] of the stadium that is deposited if the length E (`filament_mm`) of a filament of diameter D is

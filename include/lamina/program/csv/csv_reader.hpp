@@ -14,7 +14,7 @@ namespace lamina {
 /// first deposited bead; a layer whose number is skipped has no paths; no travel is retracted.
 ///
 /// @throws InvalidProgram naming the line, if the header does not begin as `kCsvHeader`, a row has another
-///   number of fields or one that cannot be read, layers or paths are out of order, rows of one path
+///   number of fields or a field that cannot be read, layers or paths are out of order, rows of one path
 ///   contradict each other, or a closed path does not return to its start
 /// @throws InvalidInput  if `validate` refuses the toolpath
 Toolpath readCsv(std::string_view text, const std::string& part_name);

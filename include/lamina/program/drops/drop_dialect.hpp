@@ -20,7 +20,7 @@ struct DropDialect {
   std::string contour = "CONTOUR";     ///< role of drops along contours
   std::string infill = "INFILL";       ///< role of drops inside contours
   std::string void_fill = "VOIDFILL";  ///< role of drops that fill voids
-  /// Key of the drops' diameter [mm] in the header, which is comments key=value.
+  /// Key of the drops' diameter [mm] in the header. The header consists of comments key=value.
   std::string diameter_key = "drop_diameter";
   std::string height_key = "layer_height";  ///< key of the layers' height [mm]
   std::string strategy_key = "strategy";    ///< key of the name of the infill strategy
@@ -33,8 +33,8 @@ void describe(SettingsSchema& schema, DropDialect& dialect);
 /// Whether the command, given without its comment, releases a drop.
 bool isDischarge(std::string_view command, const DropDialect& dialect);
 
-/// The name of a role in the dialect: that of a contour for walls, of a void fill for a gap fill, of infill
-/// for all others.
+/// The name of a role in the dialect: `contour` for walls, `void_fill` for gap fills, `infill` for all other
+/// roles.
 const std::string& roleName(PathRole role, const DropDialect& dialect);
 
 /// The path role that has this name in the dialect: outer wall, infill or gap fill; nothing for any other

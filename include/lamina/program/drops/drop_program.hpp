@@ -47,7 +47,7 @@ struct DropProgramLayer {
 /// A program that deposits drops: its unchanged text, and what is read from it.
 struct DropProgram {
   std::string text;
-  std::optional<double> diameter_mm;  ///< diameter of drops; like the next two from the header
+  std::optional<double> diameter_mm;  ///< diameter of drops; from the header, as the next two
   std::optional<double> layer_height_mm;
   std::string strategy;
   std::vector<DropProgramLayer> layers;  ///< layers that have drops
@@ -59,7 +59,7 @@ bool isDropProgram(std::string_view text, const DropDialect& dialect);
 
 /// Reads the text as GcodeReader does. Layers are those of the comments; drops before the first layer and
 /// after the comment "end of the part" are left out. Without such comments, a layer begins wherever a drop is
-/// at another height than the one before.
+/// at another height than the previous drop.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter
 ///   or height is no positive number or whose unit is not mm, or that states inclined layers
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
@@ -71,13 +71,13 @@ DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 /// @param added  centres of the new drops of each layer [mm, machine]; layers beyond its last entry get none
 /// @throws InvalidInput if there are more entries than layers
 /// @throws InvalidProgram naming the line if, where drops are to be inserted, coordinates are relative (G91)
-///   or shifted in an unknown way, or lines of coordinates alone are arcs
+///   or have an unknown shift, or lines of coordinates alone are arcs
 std::string withDrops(const DropProgram& program, const std::vector<std::vector<Point2>>& added,
                       const DropDialect& dialect);
 
 /// The toolpath of the program: a path of drops from each comment that states a role to the next, with
-/// travels between the paths. The thickness of a layer is the one that its comments state, otherwise that of
-/// the header, otherwise its height above the layer before.
+/// travels between the paths. The thickness of a layer is stated by the layer's comments, otherwise by the
+/// header; otherwise it is the layer's height above the layer before.
 /// @throws InvalidProgram if the program has no drop, or its header states no diameter
 Toolpath toolpathOf(const DropProgram& program, const std::string& part_name);
 

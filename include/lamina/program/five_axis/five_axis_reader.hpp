@@ -18,8 +18,9 @@ bool isFiveAxisProgram(std::string_view program);
 
 /// Reads a program that `writeFiveAxis` wrote for this machine, into coordinates of the bed. Poses come from
 /// the machine's forward kinematics, everything else as in `toolpathFromGcode`. Start and end code are left
-/// out. A line that ends in `;via` is between two waypoints and adds none; one that ends in `;turn` rotates
-/// the tool in place and adds no motion; one that ends in `;close` returns to the start of its path.
+/// out. A line that ends in `;via` lies between two waypoints and adds no waypoint. A line that ends in
+/// `;turn` rotates the tool in place and adds no motion. A line that ends in `;close` returns to the start of
+/// its path.
 ///
 /// @throws InvalidProgram naming the line, what was found and what was expected: for axes that the machine
 ///   does not have, unknown instructions, an axis without a value yet, a feed that is missing or not
@@ -30,9 +31,9 @@ Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
 
 /// Reads a program as `readFiveAxis` does, and also returns the joint values of the machine at each line that
 /// moves; here `;via` lines add waypoints, too, and successive `;turn` lines add a travel whose waypoints all
-/// lie at the tip. Rotary joints have the values in the program. So do linear joints, but in a program of tip
-/// positions they have the values to which tip control moves them with these rotary joints. Limits and
-/// collisions are not checked, so that there are no faults.
+/// lie at the tip. Rotary joints have the values in the program. Linear joints also have the values in the
+/// program or, in a program of tip positions, the values to which tip control moves them. Limits and
+/// collisions are not checked: there are no faults.
 /// @throws InvalidProgram as above
 StatedMotion readFiveAxisMotion(std::string_view program, const KinematicModel& machine,
                                 const FiveAxisSettings& settings, const ProgramSettings& filament,

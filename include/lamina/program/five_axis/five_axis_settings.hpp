@@ -21,16 +21,16 @@ enum class FiveAxisCoordinates : std::uint8_t {
 /// feed, waits and the end of the program.
 enum class FiveAxisDialect : std::uint8_t { Generic, LinuxCnc, Fanuc, Siemens };
 
-/// What words of rotary joints that turn without end count.
+/// Meaning of the words of rotary joints that turn without end.
 enum class FiveAxisTurns : std::uint8_t {
   Counted,  ///< whole turns, from the start on
-  Modulo,   ///< the angle within one turn; each line goes the shorter way
+  Modulo,   ///< the angle within one turn; each line rotates by the smaller angle
 };
 
 /// Which toolpaths are written as five-axis G-code.
 enum class FiveAxisUse : std::uint8_t {
-  Tilted,  ///< those that the linear axes alone cannot run
-  Always,  ///< level ones too
+  Tilted,  ///< toolpaths that the linear axes alone cannot run
+  Always,  ///< level toolpaths too
 };
 
 /// How a toolpath is written as G-code for a machine that rotates its nozzle or its table.
@@ -38,8 +38,8 @@ struct FiveAxisSettings {
   FiveAxisUse use = FiveAxisUse::Tilted;
   FiveAxisCoordinates coordinates = FiveAxisCoordinates::ToolTip;
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
-  std::string tip_control_on;   ///< command that switches it on; empty for that of the dialect
-  std::string tip_control_off;  ///< command that switches it off; empty for that of the dialect
+  std::string tip_control_on;   ///< command that switches tip control on; empty for that of the dialect
+  std::string tip_control_off;  ///< command that switches tip control off; empty for that of the dialect
   /// Line before `tip_control_off`; empty for that of the dialect.
   std::string before_tip_control_off;
   /// Distance by which the tip is lifted along the tool axis after the last path; less if a joint reaches its
@@ -47,8 +47,8 @@ struct FiveAxisSettings {
   double retract_mm = 10.0;
   FiveAxisTurns turns = FiveAxisTurns::Counted;
   std::string letters;       ///< letters of rotary joints that programs name differently: "b=U,c=V"
-  int program_number = 1;    ///< of a Fanuc program, after its letter O
-  std::string program_name;  ///< of a Fanuc program, instead of its number; empty for none
+  int program_number = 1;    ///< number of a Fanuc program, after the letter O
+  std::string program_name;  ///< name of a Fanuc program, instead of its number; empty for none
   std::string extrusion;     ///< letter of the word that feeds material; empty for that of the dialect
   /// Greatest distance of the tip from its straight path while joints move from line to line.
   double chord_tolerance_mm = 0.05;
@@ -74,9 +74,9 @@ FeederWord feederWord(const FiveAxisSettings& settings);
 std::string tipControlOn(const FiveAxisSettings& settings);
 /// The line that switches tool-tip coordinates off; empty for none.
 std::string tipControlOff(const FiveAxisSettings& settings);
-/// The line before the one that switches tool-tip coordinates off; empty for none. It moves the Z axis to its
-/// reference position, because with parameter 5006#6 a Fanuc control may compensate the length of the tool by
-/// a motion when it executes G49.
+/// The line before the line that switches tool-tip coordinates off; empty for none. It moves the Z axis to
+/// its reference position, because with parameter 5006#6 a Fanuc control may compensate the length of the
+/// tool by a motion when it executes G49.
 std::string beforeTipControlOff(const FiveAxisSettings& settings);
 
 }  // namespace lamina

@@ -22,8 +22,8 @@ struct FiveAxisMotion {
 };
 
 /// Writes the toolpath as five-axis G-code: X Y Z [mm, 4 decimals] of the tip over the bed or of the joints,
-/// A B C [deg, 5 decimals] of the rotary joints as in the joint path, and the word of `feederWord` with
-/// amounts as E has in `writeGcode`. F is in mm/min, in deg/min if the tool rotates in place; with words of
+/// A B C [deg, 5 decimals] of the rotary joints as in the joint path, and the word of `feederWord` with the
+/// amounts of E in `writeGcode`. F is in mm/min, in deg/min if the tool rotates in place; with words of
 /// joints, it is in 1/min under G93, which G94 ends. With words of joints, lines that end in `;via` are
 /// inserted between waypoints wherever the tip would otherwise leave its straight path by more than
 /// `chord_tolerance_mm`.

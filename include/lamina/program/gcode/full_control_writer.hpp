@@ -12,7 +12,7 @@ namespace lamina {
 /// Writes the toolpath as G-code in the dialect of FullControl GCode Designer ([Gleadall2021]; [Vega2023,
 /// section 3.2.6]): a `;FLAVOR:` line and the start code, `;END OF THE START GCODE`, motions in mm with
 /// relative extrusion (G0 travels, G1 deposits) and no comments, `;START OF THE END GCODE` and the end code.
-/// Of coordinates and feeds only those that change are written, with 3 decimals; extrusion has 5, and the
+/// Coordinates and feeds are written only where they change, with 3 decimals. Extrusion has 5 decimals; the
 /// rounding error of each E is added to the next. Nothing is retracted, as the dialect has no command for it.
 ///
 /// The nozzle first travels to above the first waypoint, then down to it.

@@ -20,8 +20,8 @@ namespace lamina {
 using GcodeDialectWriter = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                               const ProgramSettings& settings, const TextSink& sink)>;
 
-/// A dialect of G-code: its writer, and the commands that its firmware has besides motions. What the firmware
-/// has no command for is not planned. Placeholders in braces are replaced by `dialectLine`.
+/// A dialect of G-code: its writer, and the commands that its firmware has besides motions. Nothing is
+/// planned for which the firmware has no command. Placeholders in braces are replaced by `dialectLine`.
 struct GcodeDialect {
   GcodeDialectWriter write;
   bool has_waits = true;     ///< dwells (G4), which give short layers time to cool

@@ -20,7 +20,7 @@ struct GcodeWord {
 
 /// One line of a program, split into its parts. The views are into the text that was parsed.
 struct GcodeLine {
-  std::size_t number = 0;                  ///< in the file, 1 based
+  std::size_t number = 0;                  ///< number of the line in the file, from 1
   std::optional<std::int64_t> sequence;    ///< number after N, if there is one
   std::vector<GcodeWord> words;            ///< without N and checksum; empty if the line is `is_other`
   std::vector<std::string_view> comments;  ///< after ; or within ( ), trimmed

@@ -20,29 +20,29 @@ struct GcodeMotion {
   double extrusion_mm = 0.0;      ///< length of filament extruded; negative if it is retracted
   double feed_mm_s = 0.0;
   std::size_t line = 0;                   ///< 1 based
-  std::optional<int> layer;               ///< as the slicer's comments state; nothing before the first layer
+  std::optional<int> layer;               ///< layer by the slicer's comments; nothing before the first layer
   std::optional<PathRole> role;           ///< as the slicer's comments state
   std::optional<double> height_mm;        ///< height of the bead, as the slicer's comments state
   std::optional<double> layer_height_mm;  ///< first `height_mm` of the layer, or that of the layer before
   std::size_t section = 0;                ///< number of comments so far that open a layer or a path
-  /// Whether the program states the start by then, along the axes that move: by absolute coordinates, by
-  /// homing or by G92. Where it does not, the machine may come from anywhere.
+  /// Whether the program has stated the start along the axes that move: by absolute coordinates, by homing or
+  /// by G92. Otherwise the machine may come from anywhere.
   bool is_start_stated = true;
 };
 
-/// Functions that are called for what a program does, in the order of the program. One that is empty is not
-/// called.
+/// Functions that are called for motions, dwells, other commands and comments, in the order of the program.
+/// An empty function is not called.
 struct GcodeHandlers {
   std::function<void(const GcodeMotion&)> motion;
   std::function<void(std::size_t line, double seconds)> dwell;  ///< G4
-  std::function<void(std::size_t line, std::string_view command)>
-      other;  ///< called for heaters, fans, tools, homing, and unknown commands
+  /// Called for heaters, fans, tools, homing, and unknown commands.
+  std::function<void(std::size_t line, std::string_view command)> other;
   std::function<void(std::string_view)> comment = {};  ///< called without its semicolon or brackets
 };
 
 struct GcodeReaderSettings {
-  double chord_tolerance_mm = 0.01;  ///< greatest distance of the motions that replace an arc from the arc
-  double initial_feed_mm_s = 25.0;   ///< until the first F word, as in Marlin
+  double chord_tolerance_mm = 0.01;  ///< greatest distance between an arc and the motions that replace it
+  double initial_feed_mm_s = 25.0;   ///< feed until the first F word, as in Marlin
 };
 
 /// Reads a program by interpreting its modal state (Marlin's dialect of RS-274), piece by piece, in constant

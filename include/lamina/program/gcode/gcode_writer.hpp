@@ -17,8 +17,8 @@ namespace lamina {
 /// words that change are written. `;HEIGHT:` is repeated wherever the height of the beads changes, within a
 /// path too, with 5 decimals. `;TYPE:role` opens a deposition path where the role changes or nothing else
 /// would separate it from the path before. Positions have 3 decimals [mm], extrusion 5 [mm of filament],
-/// feeds 3 [mm/min]; the remainder of each rounding of E is carried on, so that the sum of all E is that of
-/// the toolpath within half a unit of the last decimal.
+/// feeds 3 [mm/min]; the remainder of each rounding of E is carried on: the sum of all E is that of the
+/// toolpath within half a unit of the last decimal.
 ///
 /// A toolpath of drops is written in the dialect `settings.drops`: a header of `;key=value`, a comment with
 /// its role before each run of drops, and for each drop a motion and the command that releases it. It has no
@@ -31,7 +31,7 @@ namespace lamina {
 ///
 /// The nozzle first travels to the height of the first waypoint, then across. Filament is retracted before a
 /// retracted path and extruded again after it; consecutive retracted paths share one retraction. Layers are
-/// written by all threads in bounded memory; the text does not depend on their number.
+/// written by all threads in bounded memory; the text does not depend on the number of threads.
 ///
 /// @param frame  pose of the part on the bed [mm]
 /// @throws InvalidInput naming layer, path and waypoint, if the toolpath has no motion, has both beads and

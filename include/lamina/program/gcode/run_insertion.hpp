@@ -26,8 +26,8 @@ struct InsertionSettings {
 /// in which the program deposits nothing, is not changed; without any runs the result is the program itself.
 ///
 /// @param toolpath  result of `toolpathFromGcode` for this program
-/// @param runs  for each layer of `toolpath`, in its frame
-/// @throws InvalidInput if there are not as many layers, or they are inclined
+/// @param runs  runs of each layer of `toolpath`, in the frame of the toolpath
+/// @throws InvalidInput if `runs` has another number of layers than `toolpath`, or layers are inclined
 /// @throws InvalidProgram if the program uses inches, relative positions while it deposits, or moves its
 ///   origin
 std::string insertRuns(std::string_view program, const Toolpath& toolpath,

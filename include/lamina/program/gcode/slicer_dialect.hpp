@@ -31,7 +31,7 @@ SlicerDialect dialectAfter(SlicerDialect known, std::string_view comment);
 /// What the comments of a program state about the whole program.
 struct ProgramNotes {
   SlicerDialect dialect = SlicerDialect::Unknown;
-  std::optional<double> filament_diameter_mm;  ///< of the filament that the program is for
+  std::optional<double> filament_diameter_mm;  ///< diameter of the filament that the program is for
 };
 
 /// Reads all comments of a program to its end, where some slicers state the filament.

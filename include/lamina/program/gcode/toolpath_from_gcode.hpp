@@ -25,20 +25,20 @@ namespace lamina {
 /// of the slicer's comments, and everything before the first and after the last of them is left out. Without
 /// comments, a layer begins wherever material is deposited at another height. The height of a bead is that of
 /// the last comment before its motion, otherwise the thickness of the layer. In a program with FullControl's
-/// marks, exactly what is between them belongs to the part. Bead width is that of the stadium that has the
-/// volume deposited per length. A path gets a single width if that explains all its motions within the
-/// rounding of a program (1e-5 mm of filament, 1.75e-3 mm of length). Dwells, pauses, names of parts and
-/// shares of the first fan (P0) within the part become events; other codes are left out. A filament diameter
-/// stated by comments takes precedence over that of the settings.
+/// marks, exactly what is between them belongs to the part. A bead is as wide as the stadium with the volume
+/// deposited per length. A path gets a single width if that explains all its motions within the rounding of a
+/// program (1e-5 mm of filament, 1.75e-3 mm of length). Dwells, pauses, names of parts and shares of the
+/// first fan (P0) within the part become events; other codes are left out. A filament diameter stated by
+/// comments takes precedence over that of the settings.
 class ToolpathBuilder {
  public:
   /// @param settings  only filament diameter and flow are used
   explicit ToolpathBuilder(const ProgramSettings& settings);
   ~ToolpathBuilder();
 
-  /// Reads a comment. Used are comments that state the program's frame (`readFrameComment`), which must
-  /// precede the motions; those that state the filament, a tool's offset or the name of a part; and those
-  /// that mark the end of the start code and the beginning of the end code.
+  /// Reads a comment. A comment has an effect if it states the program's frame (`readFrameComment`), which
+  /// must precede the motions; states the filament, a tool's offset or the name of a part; or marks the end
+  /// of the start code or the beginning of the end code.
   void readComment(std::string_view comment);
   void add(const GcodeMotion& motion);
   /// Adds an event before the next motion; after the last motion it becomes an event at the end.

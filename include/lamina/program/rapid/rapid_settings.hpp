@@ -16,8 +16,8 @@ enum class RapidVariant : std::uint8_t { Powder3Axes, Powder5Axes, Wire3Axes };
 /// "powder_3_axes", "powder_5_axes", "wire_3_axes".
 const char* toString(RapidVariant variant);
 
-/// Configuration of the arm in the targets: `fixed_configuration` in all of them, or at each target that of
-/// its joint values.
+/// Configuration of the arm in the targets: `fixed_configuration` in all targets, or in each target the
+/// configuration of its joint values.
 enum class RapidConfiguration : std::uint8_t { Fixed, Joints };
 
 /// How a module starts and stops the process.
@@ -52,15 +52,15 @@ struct RapidSettings {
   /// Analogue outputs of process values: see `rapidLevels`.
   std::string levels;
   bool has_dry_flag = false;  ///< whether the module declares lamina_dry, with which it runs without process
-  /// Speed of a dry run by that flag, in percent of the program's speeds; 100 for these.
+  /// Speed of a dry run by that flag, in percent of the program's speeds.
   double dry_speed_percent = 100.0;
   bool declares_cell = true;  ///< whether the module declares tool, work object and start point
   /// Pose of the tip in the flange's frame: x y z [mm], w x y z. If it is empty, the pose of the arm's
   /// description, or, without an arm, the flange itself.
   std::vector<double> tool_frame;
-  std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};  ///< in the flange's frame
-  /// Mass of the tool. If it is 0, that of `robot_program.tool_mass_kg` or of the cell file with its centre;
-  /// if nobody states one, 1 kg at (0, 0, 1) mm.
+  std::vector<double> tool_centre_of_gravity_mm = {0, 0, 1};  ///< centre in the flange's frame
+  /// Mass of the tool. If 0, mass and centre come from `robot_program.*` or from the cell file; if neither
+  /// states a mass, 1 kg at (0, 0, 1) mm.
   double tool_mass_kg = 0.0;
   bool is_load_given = true;  ///< no setting: whether somebody states the load (`checkedRapidSettings`)
   /// No setting: whether targets state `external_axis` where no joint gives a value; eax_a is 9e+09
@@ -132,13 +132,13 @@ std::vector<RapidAlias> rapidAliases(const std::string& text);
 
 /// An analogue output that follows a process value.
 struct RapidLevel {
-  std::string name;    ///< of the process value
+  std::string name;    ///< name of the process value
   std::string signal;  ///< name of the output
-  double per = 1.0;    ///< what the output is set to for each unit
+  double per = 1.0;    ///< value of the output for each unit of the process value
 };
 
 /// The levels of `rapid.levels`, as "laser_power_w=aoLaser*0.0025, wire_speed_mm_s=aoWire*0.04".
-/// @throws InvalidConfig if one is no name=signal*per, or stands twice
+/// @throws InvalidConfig if an entry is not of that form, or occurs twice
 std::vector<RapidLevel> rapidLevels(const std::string& text);
 
 }  // namespace lamina

@@ -23,8 +23,8 @@ RobotAngles robotAngles(const Eigen::Quaterniond& turn, double near_x_deg = 0.0)
 /// The rotation by the angles, as a quaternion of unit length.
 Eigen::Quaterniond rotationOfAngles(const RobotAngles& angles);
 
-/// The rotation vector of a rotation: its axis, with the angle [rad] from 0 to pi as length. Of the two
-/// opposite axes of a rotation by pi it has the one whose first coordinate other than 0 is positive.
+/// The rotation vector of a rotation: its axis, with the angle [rad] from 0 to pi as length. For a rotation
+/// by pi, the first coordinate of the axis other than 0 is positive.
 Eigen::Vector3d rotationVector(const Eigen::Quaterniond& turn);
 
 /// The rotation of a rotation vector [rad], as a quaternion of unit length.

@@ -26,7 +26,7 @@ constexpr std::array<RobotLanguage, 4> kRobotLanguages = {RobotLanguage::Krl, Ro
 /// Name of the language: "KRL", "URScript", "Fanuc TP", "INFORM".
 const char* toString(RobotLanguage language);
 
-/// Suffix of its files: ".src".
+/// Suffix of the language's files: ".src".
 const char* suffixOf(RobotLanguage language);
 
 /// The language of a file by its suffix; nothing if no language has it.
@@ -49,7 +49,7 @@ struct ArcSettings {
   RobotProcess process = RobotProcess::Outputs;
   int start_schedule = 1;  ///< number, on the controller, of the schedule by which an arc starts
   int end_schedule = 1;    ///< number of the schedule by which an arc ends
-  int weave_schedule = 0;  ///< number of the schedule by which it weaves; 0 for none
+  int weave_schedule = 0;  ///< number of the schedule by which an arc weaves; 0 for none
 };
 
 /// Settings of programs in KRL.
@@ -113,9 +113,9 @@ enum class InformFrameMark : std::uint8_t { Three, Four };
 
 /// Settings of jobs in INFORM.
 struct InformSettings {
-  InformSpeedUnit speed_unit =
-      InformSpeedUnit::MillimetresPerSecond;  ///< unit of V, as a parameter of the controller sets it
-  int corner_level = 1;                       ///< value of PL, for points that may be rounded
+  /// Unit of V, as a parameter of the controller sets it.
+  InformSpeedUnit speed_unit = InformSpeedUnit::MillimetresPerSecond;
+  int corner_level = 1;  ///< value of PL, for points that may be rounded
   /// Pulses per degree of each joint; empty if joint moves state poses.
   std::vector<double> pulses_per_deg;
   JointSign flip = JointSign::Positive;  ///< sign of joint 5 if RCONF states flip
@@ -143,7 +143,7 @@ struct RobotProgramSettings {
   double joint_speed_percent = 10.0;
   /// Number of the variable on the controller with which a program runs without its process; 0 for none.
   int dry_flag = 0;
-  /// Speed of a dry run by that variable, in percent of the program's speeds; 100 for these.
+  /// Speed of a dry run by that variable, in percent of the program's speeds.
   double dry_speed_percent = 100.0;
   int process_output = 1;       ///< number of the digital output that is on while material is deposited
   double process_lead_s = 0.0;  ///< wait between process on and the move
@@ -158,7 +158,7 @@ struct RobotProgramSettings {
   /// Whether a run that is too long for a file is cut, with the process stopped at the cut; otherwise it is
   /// refused.
   bool may_cut = false;
-  /// Date that files state. It is a setting, so that files are the same every time.
+  /// Date that files state. It is a setting, as files must be the same every time.
   std::string date = "2000-01-01";
   KrlSettings krl;
   UrScriptSettings urscript;

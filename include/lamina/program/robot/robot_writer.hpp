@@ -45,8 +45,8 @@ struct RobotProgramRequest {
 std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                                     const RobotProgramRequest& request, const RobotMotion* robot = nullptr);
 
-/// Checks what is known of a program before its toolpath is: settings, name, and whether the language can
-/// state the arm's external axes.
+/// Checks what is known of a program before its toolpath is known: settings, name, and whether the language
+/// can state the arm's external axes.
 /// @throws InvalidInput, InvalidConfig as `robotProgram`
 void requireWritable(const RobotProgramRequest& request, const KinematicModel& arm);
 

@@ -25,8 +25,8 @@ struct AdaptedCurve {
 /// Curves of one layer, wall by wall.
 struct AdaptedLayer {
   std::vector<AdaptedCurve> curves;
-  /// Border of the layer if at least one wall has no closed curve in it: for each wall a loop of its curves,
-  /// which pieces of the loop below join. Empty if all curves are closed.
+  /// Border of the layer if at least one wall has no closed curve in it: for each wall a loop that consists
+  /// of the wall's curves and of pieces of the loop below. Empty if all curves are closed.
   std::vector<AdaptedCurve> outlines;
 };
 
@@ -37,13 +37,13 @@ struct AdaptedLayers {
   std::size_t completing = 0;
 };
 
-/// Slices a part into layers whose height is measured along its walls [Flores2018, section 6.2.3]. A bead
-/// along a leaning wall rises by less than its height, so that plane layers of that height would be too far
-/// apart along the wall. Each curve is therefore a plane contour that is moved down the wall until it is at
-/// most a layer height from the curve below. Where walls lean equally all round, layers stay plane. The gap
-/// between the last closed curve and the top of the part is filled by open curves. Left out are ends of open
-/// curves where the bead would be lower than a quarter of a layer, and curves shorter than a step at the tip
-/// of a wall. Seen from above, no curve crosses itself or another curve of its layer.
+/// Slices a part into layers whose height is measured along its walls [Flores2018, section 6.2.3]. Along a
+/// leaning wall, plane layers are farther apart than they are high. Each curve is therefore a plane contour
+/// that is moved down the wall until it is at most a layer height from the curve below. Where walls lean
+/// equally all round, layers stay plane. The gap between the last closed curve and the top of the part is
+/// filled by open curves. Ends of open curves with beads lower than a quarter of a layer are left out, and so
+/// are curves shorter than a step at the tip of a wall. Seen from above, no curve crosses itself or another
+/// curve of its layer.
 ///
 /// Walls are closed loops that neither split nor merge between the part's flat bottom and its top; each is
 /// followed independently of the others. The time is n log n in the points of all layers.

@@ -10,16 +10,16 @@
 
 namespace lamina {
 
-/// The layer surfaces that are bounded by adapted curves, on which the inside of the walls can be filled;
-/// [Flores2018] has walls only. A surface covers, seen from above, what the wall encloses half way between
-/// the curves of its layer and those below, so that layers of leaning walls hold what the part does. Its
-/// height equals that of the curves on the border, and satisfies Laplace's equation inside. The thickness is
-/// the distance to the surface below, for the lowest layer to the level bottom of the part.
+/// Layer surfaces bounded by adapted curves, for fills inside the walls; [Flores2018] has walls only. Seen
+/// from above, a surface covers the area enclosed by the walls half way between the curves of its layer and
+/// the curves below: layers of leaning walls then have the volume of the part. The height of a surface equals
+/// the curves' height on the border, and satisfies Laplace's equation inside. The thickness is the distance
+/// to the surface below, for the lowest layer to the level bottom of the part.
 ///
 /// @param bottom_mm  z of the part's bottom [part frame]
 /// @param step_mm    distance between points inside
 /// @return one surface per layer. A layer that completes an uneven top ends on the layer below; it is cut off
-///         where it is thinner than a quarter of its curves' height, so that it may be empty.
+///   where it is thinner than a quarter of its curves' height, and may be empty.
 /// @throws InvalidInput naming the layer if a curve crosses itself seen from above; Cancelled
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
                                           Progress& progress);

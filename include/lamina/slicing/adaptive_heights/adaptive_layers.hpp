@@ -27,10 +27,10 @@ struct AdaptiveLayers {
 /// ratio of neighbouring heights does not exceed `adaptive.greatest_ratio`.
 ///
 /// Layers end at level faces, and at the top of the part, if heights within these bounds allow it. For that,
-/// layers between two such heights are made lower, never higher: what each has above the least height is
-/// reduced by the same factor. The first layer has its own height, whatever its cusp. With a quantum, heights
-/// are multiples of it, counted from the top of the first layer. Empty if the part is thinner than half the
-/// first layer. The time is linear in the faces, but for sorting them.
+/// layers between two such heights are made lower, never higher: the excess of each over the least height is
+/// reduced by one factor. The first layer has its own height, whatever its cusp. With a quantum, heights are
+/// multiples of it, counted from the top of the first layer. Empty if the part is thinner than half the first
+/// layer. The time is that of sorting the faces, otherwise linear.
 ///
 /// @param mesh  part, turned so that its layers are level [mm]
 /// @throws InvalidConfig if a height is not positive, there is no multiple of the quantum between the least

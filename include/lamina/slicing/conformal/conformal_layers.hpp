@@ -23,10 +23,10 @@ struct ConformalLayers {
   double hidden_mm2 = 0.0;
 };
 
-/// The layers of a coat on a mesh. Those faces are coated whose normal is within `conformal.max_tilt_deg` of
-/// the direction of the settings and that no other face hides from a viewer in that direction. Layers are
-/// stacked outwards and end where they meet the mesh or each other. All have the same height: the thickness
-/// divided by the least number of layers for which this is at most `layer_height_mm`.
+/// The layers of a coat on a mesh. A face is coated if its normal is within `conformal.max_tilt_deg` of the
+/// direction of the settings, and no other face hides it from a viewer in that direction. Layers are stacked
+/// outwards and end where they meet the mesh or each other. All have the same height: the thickness divided
+/// by the least number of layers for which the height is at most `layer_height_mm`.
 ///
 /// @param mesh  facing outwards [mm, part frame]; may be open
 /// @throws Unsliceable if no face looks in that direction, or all that do are hidden; InvalidConfig if a
@@ -34,10 +34,11 @@ struct ConformalLayers {
 ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& settings, double layer_height_mm,
                               Progress& progress);
 
-/// The layers of a part that follow a base: shells of those faces of the base whose normal is within
-/// `conformal.max_tilt_deg` of the direction of the settings, as far as the shells lie inside the part. They
-/// are cut where the signed distance to the part's surface is zero. That distance is interpolated linearly
-/// between vertices that are at most `longest_edge_mm` apart on the base; so cuts are exact on plane walls.
+/// The layers of a part that follow a base: shells of the faces of the base whose normal is within
+/// `conformal.max_tilt_deg` of the direction of the settings, as far as the shells lie inside the part.
+/// Shells are cut where the signed distance to the part's surface is zero. The distance is interpolated
+/// linearly between vertices that are at most `longest_edge_mm` apart on the base; cuts on plane walls are
+/// exact.
 ///
 /// @param part  closed, facing outwards [mm, part frame]
 /// @param base  facing outwards, in the same frame; may be open

@@ -12,12 +12,13 @@ namespace lamina {
 /// How layers are deposited on a given surface.
 struct ConformalSettings {
   std::string base;  ///< path of the mesh that the layers of the part follow; empty to coat the part itself
-  double max_tilt_deg = 60.0;  ///< greatest angle between `direction` and the normal of a face deposited on
-  /// Direction in which the faces deposited on face [part frame]; empty for upwards.
+  double max_tilt_deg = 60.0;  ///< greatest angle between `direction` and the normal of a covered face
+  /// Direction that the covered faces face [part frame]; empty for upwards.
   std::vector<double> direction;
   double thickness_mm = 1.0;     ///< thickness of a coat
-  double longest_edge_mm = 1.0;  ///< length above which edges of the surface deposited on are halved
-  /// Of a part on a base: greatest difference between the volumes of layers and part before it is refused.
+  double longest_edge_mm = 1.0;  ///< length above which edges of the covered surface are halved
+  /// Greatest difference between the volumes of layers and part, for a part on a base; above it the part is
+  /// refused.
   double largest_gap_percent = 5.0;
 };
 

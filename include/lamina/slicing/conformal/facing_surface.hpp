@@ -17,9 +17,9 @@ enum class Facing { Down, Up };
 using TriangleNumbers = std::vector<std::uint32_t>;
 
 /// The triangles that face down (n_z < -limit) or up (n_z > limit), in patches connected by common vertices
-/// ([Guacheta2021, listing A.5], with the sign of n_z). The first patch is the one that contains the lowest
-/// point of all (facing down) or the highest (facing up); the others follow in the order of their first
-/// triangles. Triangles without area belong to no patch. Empty if no triangle faces that way.
+/// ([Guacheta2021, listing A.5], with the sign of n_z). The first patch contains the lowest point of all
+/// patches (facing down) or the highest (facing up); the others follow in the order of their first triangles.
+/// Triangles without area belong to no patch. Empty if no triangle faces in the direction asked for.
 std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, double normal_limit);
 
 /// The triangles of a mesh that are in neither of two lists.

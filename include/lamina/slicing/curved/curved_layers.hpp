@@ -28,9 +28,9 @@ const char* toString(CurvedScheme scheme);
 /// Volumes of a part and of its curved layers.
 struct LayerVolumes {
   double part_mm3 = 0.0;
-  double lower_mm3 = 0.0;   ///< of the lower shells
-  double middle_mm3 = 0.0;  ///< of the level layers
-  double upper_mm3 = 0.0;   ///< of the upper shells
+  double lower_mm3 = 0.0;   ///< volume of the lower shells
+  double middle_mm3 = 0.0;  ///< volume of the level layers
+  double upper_mm3 = 0.0;   ///< volume of the upper shells
   /// Share of the part's volume that the layers lack; negative if they have more volume than the part.
   double gap() const { return 1.0 - (lower_mm3 + middle_mm3 + upper_mm3) / part_mm3; }
 };
@@ -41,9 +41,9 @@ struct LayerCoverage {
   std::size_t samples = 0;  ///< number of sample points
   double open = 0.0;        ///< share of samples in no layer
   double twice = 0.0;       ///< share of samples in more than one layer
-  /// Volume of the greatest void, a connected group of samples in no layer: those that are at most 1.25 times
-  /// the spacing of the samples apart. A sample stands for about 1/4000 of the part; groups of fewer than
-  /// four are taken for chance.
+  /// Volume of the greatest void: a group of samples in no layer, connected over distances of at most 1.25
+  /// times the spacing of the samples. A sample stands for about 1/4000 of the part; groups of fewer than
+  /// four samples are ignored as chance.
   double void_mm3 = 0.0;
 };
 
@@ -61,12 +61,12 @@ struct CurvedLayers {
 
 /// Divides a part into shells of its lower surface, level layers, and shells of its upper surface
 /// [Guacheta2021, algorithm 2-3]. If the top of the lower surface is below the bottom of the upper surface,
-/// both are propagated inwards, as far as these two heights, and level layers fill the space between. If the
-/// two surfaces overlap in height, shells of all that faces down are propagated up to the upper surface; if
-/// those do not fill the part, shells of both surfaces meet half way.
+/// both are propagated inwards, up to these two heights, and level layers fill the space between. If the two
+/// surfaces overlap in height, shells of all faces that face down are propagated up to the upper surface; if
+/// these shells do not fill the part, shells of both surfaces meet half way.
 ///
 /// @param mesh             closed, facing outwards [mm, part frame]
-/// @param layer_height_mm  of every shell; that of level layers is as near to it as fits
+/// @param layer_height_mm  height of every shell; level layers are as close to this height as fits
 /// @throws Unsliceable naming the reason, if no surface faces down or none up, or if in every scheme more
 ///                     than `largest_gap_percent` of the part is in no layer or in more than one, or a void
 ///                     is larger than `largest_void_mm3`; the region is the surface nearest to the fault

@@ -40,7 +40,7 @@ struct ShellEnd {
 class ShellPropagation {
  public:
   /// @param source           its surface must face the side on which shells are wanted
-  /// @param longest_edge_mm  edges of the surface that are longer are halved first, so that shells can bend
+  /// @param longest_edge_mm  length above which edges of the surface are halved first: shells can then bend
   ///   and end between its vertices
   /// @throws InvalidInput if the surface has no triangle or the length is not positive; Cancelled
   ShellPropagation(const ShellSource& source, double longest_edge_mm, const ShellLimits& limits,

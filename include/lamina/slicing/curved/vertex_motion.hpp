@@ -20,7 +20,7 @@ struct ShellBound {
 /// A face that adjoins an open surface at a vertex of its rim.
 struct RimWall {
   std::uint32_t vertex = 0;         ///< index in the surface
-  Point3 normal = Point3::UnitX();  ///< of the face, of unit length
+  Point3 normal = Point3::UnitX();  ///< normal of the face, of unit length
 };
 
 /// An open surface that is to be propagated to the side that it faces, and the faces that adjoin its rim.

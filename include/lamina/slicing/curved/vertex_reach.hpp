@@ -22,7 +22,7 @@ struct ShellLimits {
   const NearestTriangle* rest = nullptr;
   std::optional<ShellBound> bound;  ///< half-space in which shells stay; nothing for all of space
   double farthest_mm = 0.0;         ///< greatest offset that is computed
-  /// Distance between the offsets at which it is tested whether a path has left the part.
+  /// Distance between the offsets at which paths are tested for leaving the part.
   double step_mm = 0.2;
 
   /// Signed distance of a point from the part's surface [mm], positive on the side where shells stay; `part`
@@ -36,8 +36,8 @@ struct ShellLimits {
 /// How far each vertex of a surface can be propagated; the vectors hold one offset per vertex.
 struct VertexReach {
   /// Offset [mm] at which the vertex collapses, as it gets nearer to another place of the surface than to its
-  /// own: the radius of the greatest ball that touches the surface there from the front. `farthest_mm` if
-  /// there is none up to that offset.
+  /// original place: the radius of the greatest ball that touches the surface at this place from the front.
+  /// `farthest_mm` if the vertex does not collapse up to that offset.
   std::vector<double> collapse_mm;
   /// Offset at which the vertex's path first leaves the part [mm]; infinite if it does not.
   std::vector<double> exit_mm;

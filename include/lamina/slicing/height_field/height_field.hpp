@@ -33,7 +33,8 @@ struct HeightField {
   }
   Point2 cornerPoint(int column, int row) const { return cells.origin + cells.cell_mm * Point2(column, row); }
 
-  /// The factor at a point (x, y) [part frame]; outside of the grid that of the nearest point of its border.
+  /// The factor at a point (x, y) [part frame]; outside the grid, the factor at the nearest point of its
+  /// border.
   double factorAt(const Point2& plan) const;
 
   /// The point of the part to which a point of the level layers is bent.
@@ -49,7 +50,7 @@ Mesh levelled(Mesh mesh, const HeightField& field);
 /// The chart of a bent layer over a rectangle of the xy plane, widened to whole cells. Its parameterization
 /// is the projection to the xy plane; tips are vertically above their points, at the top of the layer;
 /// normals are those of the middle of the layer.
-/// @param bounds  of the level layer
+/// @param bounds  bottom and top of the level layer
 LayerChart bentLayer(const HeightField& field, const LayerBounds& bounds, const Box2& area);
 
 }  // namespace lamina

@@ -19,10 +19,10 @@ struct HeightFieldReport {
   double greatest_slope_deg = 0.0;  ///< steepest slope of the layers where there is material
   /// Least vertical thickness of the layers where there is material; the first layer is not considered.
   double least_thickness_mm = 0.0;
-  double greatest_thickness_mm = 0.0;  ///< greatest one
-  double share = 1.0;      ///< share of the bend to follow the surface that remains within the limits
-  double upper_mm2 = 0.0;  ///< area of the part's upper side, seen from above
-  /// Area of the upper side that is followed, as it is neither too steep nor too low.
+  double greatest_thickness_mm = 0.0;  ///< greatest vertical thickness, by the same rule
+  double share = 1.0;                  ///< share of the bend that remains after it is scaled to the limits
+  double upper_mm2 = 0.0;              ///< area of the part's upper side, seen from above
+  /// Area of the upper side that layers follow: neither too steep nor too low.
   double followed_mm2 = 0.0;
   /// Mean number of stair-steps, at the edges of layers, per mm in the direction of steepest slope, seen from
   /// above, on the surface that is followed: with level layers of the same settings, and with bent ones.
@@ -45,8 +45,8 @@ struct HeightFieldSlices {
   HeightFieldReport report;
 };
 
-/// Cuts a part into layers for machines that cannot tilt: flat on the bed, and bent more and more upwards, so
-/// that the uppermost follow the upper side of the part where that is not too steep. The bend is a height
+/// Cuts a part into layers for machines that cannot tilt: flat on the bed, and bent more with height. The
+/// uppermost layers follow the upper side of the part, except where it is too steep. The bend is a height
 /// field found by least squares, as in QuickCurve (arXiv 2406.03966). It is scaled down as a whole until
 /// slope and thickness are within their limits; the report states the share that is left.
 ///

@@ -30,8 +30,8 @@ struct DirectedPiece {
   Eigen::Quaterniond partFromPiece() const;
 };
 
-/// A part in pieces, in the order in which they are printed. Everything printed before a piece lies below its
-/// plane, so that a head without any part beyond the nozzle tip cannot collide with it.
+/// A part in pieces, in the order in which they are printed. Everything printed before a piece lies below the
+/// piece's plane: a head that does not extend beyond the nozzle tip cannot collide with earlier pieces.
 struct DirectedPieces {
   std::vector<DirectedPiece> pieces;  ///< the first stands on the bed, its direction is +z
   double cell_mm = 0.0;               ///< side of the voxels in which cuts are searched
@@ -42,7 +42,7 @@ struct DirectedPieces {
   double cut_mm2 = 0.0;                  ///< area of all cuts
   std::shared_ptr<const HeadRoom> room;  ///< collision check of the head against what is printed before
 
-  /// Sum of the heights of the pieces before a piece [mm]: its growth, as in `HeadRoom`, where the piece
+  /// Sum of the heights of the pieces before a piece [mm]: the growth, as in `HeadRoom`, at which the piece
   /// begins.
   double growthBefore(std::size_t piece) const;
   double unsupported() const;
@@ -58,8 +58,8 @@ struct DirectionRequest {
 
 /// Cuts a part into pieces that leave little of its surface unsupported. Planes are found from the last piece
 /// to the first: for each direction the lowest plane above which nothing, or little, overhangs. A beam search
-/// minimises the unsupported surface. To the cost of a sequence each cut adds half a percent of the surface
-/// and a hundredth of the cut's area. A cut is taken only if the rest of the part stays connected with the
+/// minimises the unsupported surface. Each cut adds half a percent of the surface and a hundredth of the
+/// cut's area to the cost of a sequence. A cut is taken only if the rest of the part stays connected with the
 /// bed, each connected part of the piece lies on that rest over at least the area of a square of four bead
 /// widths, and the head stays clear of the bed while it prints the piece. A part that can be printed in level
 /// layers is one piece. The result is the same for any number of threads.

@@ -17,7 +17,7 @@ struct DirectionSettings {
   /// Greatest overhang that the material can bear: angle of a surface from the piece's direction.
   double max_overhang_deg = 45.0;
   double cell_mm = 0.0;  ///< side of the voxels in which cuts are searched; 0 to derive it from the volume
-  /// Greatest share of the surface that overhangs by more before the part is refused.
+  /// Greatest share of the surface that overhangs by more than that; above it the part is refused.
   double largest_unsupported_percent = 5.0;
 };
 

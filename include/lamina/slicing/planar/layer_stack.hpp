@@ -19,8 +19,8 @@ struct LayerBounds {
 };
 
 /// The layers of a part that reaches from `bottom_mm` to `top_mm`: the first with its own height, the others
-/// of equal height. The last layer is kept only if more than half of it is inside the part, so that each cut
-/// meets material. Empty if the part is no thicker than half the first layer.
+/// of equal height. The last layer is kept only if more than half of it is inside the part, as each cut must
+/// meet material. Empty if the part is no thicker than half the first layer.
 ///
 /// @throws InvalidConfig if a height is not positive, or more than 10 million layers would result
 std::vector<LayerBounds> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings);

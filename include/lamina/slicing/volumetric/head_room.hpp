@@ -19,27 +19,27 @@ struct HeadStage {
 /// Collision check of a print head against the bed, and against the material deposited so far.
 class HeadRoom {
  public:
-  /// The order of deposition: the growth [mm], which increases as the part is printed, at which the material
-  /// at a point is deposited; infinite where there is never any.
+  /// The order of deposition: the growth [mm] at which the material at a point is deposited. Growth increases
+  /// as the part is printed. It is infinite where no material is deposited.
   class Growth {
    public:
     virtual ~Growth() = default;
     /// @param place  [mm, part frame]
     virtual double at(const Point3& place) const = 0;
-    /// A lower bound of what it is anywhere within `kAroundMm` of a place; minus infinity if there is none
-    /// that costs less than the places themselves.
+    /// A lower bound of the growth within `kAroundMm` of a place; minus infinity if a bound costs as much as
+    /// the growth at the places themselves.
     virtual double leastAround(const Point3& place) const;
   };
   static constexpr double kAroundMm = 8.0;
 
-  /// @param stages  of the head; with none there are no collisions
+  /// @param stages  stages of the head; without stages there are no collisions
   /// @param bed_mm  z of the bed [part frame]
   HeadRoom(std::shared_ptr<const Growth> growth, const std::vector<HeadStage>& stages, double bed_mm);
 
   /// Whether the head collides neither with the bed nor with material deposited before a given growth.
   /// Collisions with material are tested at points of the head's hull that are at most 4 mm apart, and only
   /// between 3 and 120 mm from the tip along the axis.
-  /// @param tip   of the nozzle [mm, part frame]
+  /// @param tip   nozzle tip [mm, part frame]
   /// @param axis  opposite of the tool axis, of unit length
   bool isClear(const Point3& tip, const Point3& axis, double growth_mm) const;
 

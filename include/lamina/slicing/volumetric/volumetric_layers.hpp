@@ -27,7 +27,7 @@ struct VolumetricLayer {
   /// Growth at which the layer begins and ends, as heights in the part frame; with its section if the whole
   /// layer is level.
   Layer plane;
-  LayerSurface surface;  ///< of a layer that is not level; without triangles otherwise
+  LayerSurface surface;  ///< surface of a layer that is not level; without triangles otherwise
 
   bool isLevel() const { return surface.middle.triangles.empty(); }
 };
@@ -35,10 +35,10 @@ struct VolumetricLayer {
 /// Measures of the quality of volumetric layers. Areas and volumes are of the part above the bed.
 struct VolumetricMeasures {
   double cell_mm = 0.0;   ///< side of the cells in which growth is computed
-  std::size_t nodes = 0;  ///< number of cells; one in which the part is in several pieces counts as many
+  std::size_t nodes = 0;  ///< number of cells; a cell with several pieces of the part counts once per piece
   double overhang_used_deg = 0.0;  ///< angle used for `VolumetricSettings::overhang_used_deg`
   double fitted = 0.0;             ///< share of the growth that is fitted to `VolumetricSettings::target`
-  std::string fit_loss;            ///< why no larger share was taken; empty if all of it was
+  std::string fit_loss;            ///< reason why no larger share is fitted; empty if all growth is fitted
   double contact_mm2 = 0.0;        ///< area of contact with the bed
   /// Angle of the gradient of growth from the vertical, not exceeded in 99.5 % of the volume.
   double tilt_deg = 0.0;
@@ -49,14 +49,14 @@ struct VolumetricMeasures {
   double unsupported_level_mm2 = 0.0;  ///< area that would overhang by more than allowed from level layers
   double unsupported_mm2 = 0.0;        ///< area that overhangs by more than allowed from these layers
   double pendant_mm3 = 0.0;  ///< volume of pendants: material that growth from the bed does not reach
-  double volume_mm3 = 0.0;   ///< of the part
+  double volume_mm3 = 0.0;   ///< volume of the part
 
   double thinnest = 1.0;  ///< least thickness over nominal height, except where growth from two sides meets
   double thickest = 1.0;  ///< greatest thickness over nominal height, with the same exception
   double beyond_thickness = 0.0;  ///< share of the volume that is thinner or thicker than allowed by over 2 %
   std::size_t minima = 0;  ///< cells off the bed that are reached before all their neighbours; should be 0
-  double resting = 1.0;    ///< share of the area of layers that are not level that lies on earlier material
-  double least_resting = 1.0;  ///< that share of the piece that rests least
+  double resting = 1.0;    ///< share of the area of non-level layers that lies on earlier material
+  double least_resting = 1.0;  ///< the same share for the piece that rests least
   double open = 0.0;           ///< share of the volume in no layer
   double open_level = 0.0;     ///< share of the volume that would be in no layer of the mode `planar`
   double twice = 0.0;          ///< share of the volume in more than one layer
@@ -80,7 +80,7 @@ struct VolumetricRequest {
   SlicingSettings slicing;           ///< its layer heights are the least thickness of the layers
   double bead_mm = 0.4;              ///< width of beads
   std::vector<HeadStage> head = {};  ///< stages of the head that prints; none: collisions are not checked
-  /// What layers are to lie across, if `VolumetricSettings::target` is `Given` [part frame].
+  /// Directions to which layers are to be normal, if `VolumetricSettings::target` is `Given` [part frame].
   std::vector<DirectionSample> directions = {};
 };
 

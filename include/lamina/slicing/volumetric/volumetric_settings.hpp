@@ -9,8 +9,8 @@
 namespace lamina {
 
 /// What volumetric layers are fitted to. `Arrival`: to nothing; growth is the cost of the cheapest path from
-/// the bed. `Smooth`: to that, smoothed. `Surface`: to skins that face growth. `Tangent`: to lie across the
-/// part, from the bed to its ends. `Given`: to lie across directions from a file.
+/// the bed. `Smooth`: to this growth, smoothed. `Surface`: to skins that face growth. `Tangent`: to lie
+/// across the part, from the bed to its ends. `Given`: to lie across directions from a file.
 enum class GrowthTarget { Arrival, Smooth, Surface, Tangent, Given };
 
 /// How fitted layers meet the bed. `Flat`: the first layer is flat. `Free`: at any angle, as on belts and
@@ -23,7 +23,7 @@ struct VolumetricSettings {
   /// Greatest overhang that the material can bear: angle of a surface from the normal of its layer.
   double max_overhang_deg = 45.0;
   /// Overhang up to which layers stay level, before they tilt. If negative, it is chosen: 20 deg less than
-  /// `max_overhang_deg`, or more or less where that gives the head room or supports more of the surface.
+  /// `max_overhang_deg`, or another angle if this gives the head room or supports more of the surface.
   double overhang_used_deg = -1.0;
   double max_thickness = 2.0;   ///< greatest thickness of a layer over `slicing.layer_height_mm`, the least
   double max_tilt_deg = 80.0;   ///< greatest angle of the direction of growth from the vertical
@@ -49,7 +49,7 @@ struct VolumetricSettings {
 void describe(SettingsSchema& schema, VolumetricSettings& settings);
 
 /// @throws InvalidConfig if `overhang_used_deg` exceeds `max_overhang_deg`, if `target` is Given without
-///   `target_file`, or another with one, or if `foot` is Free and nothing is fitted
+///   `target_file`, if it is not Given with a `target_file`, or if `foot` is Free and nothing is fitted
 void requireConsistent(const VolumetricSettings& settings);
 
 }  // namespace lamina

@@ -23,7 +23,7 @@ struct RapidText {
 /// work object. Moves deposit while the process is switched on. Comments state roles, beads, layers and the
 /// beginnings of paths.
 ///
-/// @param modules  the one with the procedure `main` first
+/// @param modules  the module with the procedure `main` first
 /// @throws InvalidProgram naming file and line, what was found and what was expected: instructions, data,
 ///   speeds, zones or targets that are not known; moves of no path that a comment describes; moves with the
 ///   process on in a travel, or off in a path that deposits
@@ -31,7 +31,7 @@ Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& par
 
 /// Reads a file, and from the same folder the modules that its comments name; the toolpath is named after the
 /// file.
-/// @throws FileError if one cannot be read
+/// @throws FileError if a file cannot be read
 /// @throws InvalidProgram as above
 Toolpath readRapidFile(const std::string& path);
 
@@ -41,11 +41,11 @@ EquippedToolpath readEquippedRapid(const std::vector<RapidText>& modules, const 
 EquippedToolpath readEquippedRapidFile(const std::string& path);
 
 /// Reads a program as `readRapid` does, and also returns the joint values at which an arm reaches each
-/// target. Under `ConfL\\On` these are in the configuration that the target states. Under `ConfL\\Off` they
-/// are the ones nearest to those at the target before; at the first target they are the ones nearest to the
-/// approach's, or, if no joint move approaches the part, in the target's configuration. External axes have
-/// the values of the targets. A target without such joint values is listed as a fault, `configuration` or
-/// `out_of_reach`; limits, collisions and singularities are not checked.
+/// target. Under `ConfL\\On` they are in the configuration that the target states. Under `ConfL\\Off` they
+/// are nearest to the joint values at the previous target. At the first target they are nearest to the joint
+/// values of the approach or, if no joint move approaches the part, in the target's configuration. External
+/// axes have the values of the targets. A target without such joint values is listed as a fault,
+/// `configuration` or `out_of_reach`; limits, collisions and singularities are not checked.
 /// @throws InvalidProgram as `readRapid`; if tool or work object that the program declares differ from those
 ///   of the arm's description, or a target does not state one of the arm's external axes
 /// @throws InvalidConfig if the kinematic model is no six-axis arm

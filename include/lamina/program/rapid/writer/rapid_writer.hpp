@@ -19,7 +19,7 @@ namespace lamina {
 ///
 /// Each point has two lines, a move and a line for the process, which is empty if the process continues; so
 /// point k is on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on;
-/// consecutive ones that meet in one pose form one run. Travels are air moves. Points where the process
+/// consecutive paths that meet in one pose form one run. Travels are air moves. Points where the process
 /// starts or ends have the zone `end_zone`, all others `zone`. Positions are relative to the work object,
 /// which is the bed [mm, 4 decimals]: offsets from the start point with 3 axes, targets with 5, whose
 /// orientation (w x y z, 7 decimals) is bed_from_nozzle. Comments before each procedure state roles, beads
@@ -37,7 +37,7 @@ class RapidProgram {
   ///   axes; if the joints are not those of the toolpath
   /// @throws Unreachable  if the joints have faults (names the first), or the arm cannot reach where the
   ///   program starts or ends, `rapid.approach_mm` off the part
-  /// @throws InvalidConfig as `checkedRapidSettings`; if a predefined speed of RAPID would have to serve for
+  /// @throws InvalidConfig as `checkedRapidSettings`; if the name of a predefined speed of RAPID is used for
   ///   another feed; if a run is longer than a module that is loaded in turn; if configurations are asked for
   ///   without joints
   RapidProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
@@ -46,8 +46,8 @@ class RapidProgram {
   RapidProgram(RapidProgram&&) noexcept;
   RapidProgram& operator=(RapidProgram&&) noexcept;
 
-  /// Names of the modules, first that of the one with `main`. The file of a module has its name and the
-  /// suffix .mod.
+  /// Names of the modules, the module with `main` first. The file of a module has its name and the suffix
+  /// .mod.
   const std::vector<std::string>& moduleNames() const;
   /// Writes a module, by its index in `moduleNames`.
   void write(std::size_t module, const TextSink& sink) const;
@@ -62,7 +62,7 @@ class RapidProgram {
 void writeRapid(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                 const RapidSettings& settings, const TextSink& sink, const RobotMotion* robot = nullptr);
 
-/// A note for the summary where the load of the tool that a module states is given by nobody; empty
+/// A note for the summary if a module states a default load of the tool, as nothing else gives one; empty
 /// otherwise.
 std::string rapidLoadNote(const RapidSettings& settings, const RobotMotion* robot);
 
