@@ -139,7 +139,7 @@ struct CellSnapshot {
   ShownUnit unit;
   std::vector<ShownAlarm> alarms;
   std::vector<ShownJob> queue;
-  std::optional<double> machine_heard_s;  ///< time of the machine's last report
+  std::optional<double> machine_heard_s;  ///< as `heard_s`, for the machine
   ShownMachine machine;
   std::vector<ShownStep> startup;
   std::optional<ShownLoop> loop;
