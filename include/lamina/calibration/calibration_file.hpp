@@ -17,7 +17,7 @@ struct CalibrationOrigin {
   std::string date;  ///< UTC, as `utcText` gives it
 };
 
-/// How late the sensor's time stamps are; see `TimeOffset`.
+/// Time by which the sensor's time stamps are late; see `TimeOffset`.
 struct CalibratedTime {
   double offset_s = 0.0;         ///< by which time stamps are late: true time = time stamp - offset
   double spread_s = 0.0;         ///< standard deviation
@@ -29,8 +29,8 @@ struct CalibratedTime {
 /// Pose of the sensor at the nozzle.
 struct CalibratedPose {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< [mm]
-  /// Six standard deviations: along x, y, z of the nozzle [mm] and of rotations about these [deg]; 0 for what
-  /// was never determined, and kept its former value.
+  /// Six standard deviations: along x, y, z of the nozzle [mm] and of rotations about these [deg]; 0 for
+  /// components that were never determined and kept their former value.
   std::vector<double> spread = std::vector<double>(6, 0.0);
   /// Components that were never determined, separated by commas: "z, turn about x"; empty if all were found.
   std::string not_found;

@@ -27,8 +27,8 @@ std::vector<CalibrationBead> crossBeads(const CalibrationSettings& settings);
 /// The feeder's beads, along which the amount is stepped.
 struct FeederSteps {
   std::vector<CalibrationBead> beads;  ///< one in +y, one in -y
-  /// Amount of each piece over the nominal one, in the order of deposition; pieces are equally long, and both
-  /// beads have the same ones.
+  /// Amount of each piece over the nominal one, in the order of deposition; pieces are equally long, and the
+  /// same on both beads.
   std::vector<double> amount;
 };
 /// The beads and steps by the settings.

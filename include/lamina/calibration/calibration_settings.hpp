@@ -7,7 +7,7 @@
 namespace lamina {
 
 /// Settings of what is deposited, moved and scanned to calibrate a cell, and of the evaluation. Program and
-/// evaluation need the same ones.
+/// evaluation need the same settings.
 struct CalibrationSettings {
   double x_mm = 100.0;  ///< middle, on the bed, of all that is deposited and scanned
   double y_mm = 100.0;

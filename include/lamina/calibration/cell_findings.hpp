@@ -53,7 +53,7 @@ SensorTarget sensorTarget(const std::string& method, const KnownPyramid& pyramid
 struct FoundPose {
   CalibratedPose pose;
   SensorPoseFit fit;
-  std::vector<std::string> not_observable;  ///< a sentence for each direction that is not (`observability`)
+  std::vector<std::string> not_observable;  ///< a sentence for each direction that is not observable
 };
 
 /// Finds the sensor's pose in recordings of targets.
@@ -63,8 +63,8 @@ struct FoundPose {
 FoundPose findPose(const std::vector<SensorView>& views, const Eigen::Isometry3d& about, double time_offset_s,
                    const CalibrationSettings& settings, const CalibrationOrigin& origin);
 
-/// Completes a pose that is found by the one found before. Components that keep their value from there keep
-/// its spread, and are not named as not found any more.
+/// Completes a found pose by the former one. Components that keep their former value also keep its spread,
+/// and are no longer named as not found.
 CalibratedPose withFormer(const FoundPose& found, const std::optional<CalibratedPose>& former);
 
 /// Dead time and lag of the feeder as found in a scan of its beads.

@@ -47,10 +47,10 @@ struct RailFit : AxisAgreement {
 };
 
 /// Fits the axis of a rail to touches of one mark fixed in the room, at several values. The base moves with
-/// the robot, so that in its frame the mark moves the opposite way.
+/// the robot, so that in its frame the mark moves in the opposite direction.
 /// @throws InvalidInput if there are fewer than three touches, if their values span less than 1 mm, or if the
-///   mark moves by less than half of what the values do: then its coordinates do not refer to the base that
-///   the rail carries
+///   mark moves by less than half the change of the values: its coordinates then do not refer to the base
+///   that the rail carries
 RailFit fitRail(const std::vector<AxisTouch>& touches);
 
 /// Reads touches from CSV, one per row, with the columns x_mm, y_mm, z_mm and the value of the axis.

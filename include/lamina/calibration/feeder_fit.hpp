@@ -26,7 +26,7 @@ struct FeederFit {
   double dead_time_spread_s = 0.0;  ///< standard deviation
   double lag_s = 0.0;               ///< time constant of the first-order lag
   double lag_spread_s = 0.0;
-  double gain = 0.0;      ///< step of the cross-section over the one commanded, both relative; ideally 1
+  double gain = 0.0;      ///< step of the cross-section over the commanded step, both relative; ideally 1
   double shift_mm = 0.0;  ///< by which the scan lies off the program, along the first bead's direction
   double rms = 0.0;       ///< of the sections' residuals, relative to the first bead's section at its start
   std::size_t sections = 0;  ///< number of those measured, on all beads
@@ -34,7 +34,7 @@ struct FeederFit {
 
 /// Measures the cross-sections of the beads of `feederToolpath` in a scan of them.
 /// @param nozzle_from_sensor  [mm]
-/// @param time_offset_s  how late the sensor's time stamps are, as in `TimeOffset`
+/// @param time_offset_s  by which the sensor's time stamps are late, as in `TimeOffset`
 /// @return an entry for each bead of `steps`, without the places where the scan does not show the bead's
 ///   whole width
 std::vector<BeadCrossSections> beadSections(const SensorRecording& scan,

@@ -16,7 +16,7 @@ struct FlowTrialSettings {
   double x_mm = 100.0;  ///< middle of the row, on the bed
   double y_mm = 100.0;
   int squares = 7;
-  double span = 0.15;     ///< the first square has a multiplier of 1 less this, the last of 1 and this
+  double span = 0.15;     ///< multipliers run from 1 - span at the first square to 1 + span at the last
   double side_mm = 15.0;  ///< of each square, between the middles of its walls
   double gap_mm = 10.0;   ///< between neighbouring squares
   double height_mm = 6.0;
@@ -52,23 +52,23 @@ struct FlowReading {
 std::vector<FlowReading> flowReadings(const std::string& table, const std::string& source,
                                       const FlowTrialSettings& settings);
 
-/// What was extruded over what was asked for.
+/// The extruded flow over the commanded flow.
 struct FlowFit {
   double share = 1.0;         ///< mean over all walls; ideally 1
   double share_spread = 0.0;  ///< standard deviation
   double factor = 1.0;        ///< by which the flow has to be multiplied: 1 / share
   double factor_spread = 0.0;
-  /// How much of a change of the multiplier arrives, over `share`; ideally 1. A feeder that slips, or
-  /// readings that are all too thick, make it less.
+  /// Share of a change of the multiplier that arrives, over `share`; ideally 1. It is less if the feeder
+  /// slips, or all readings are too thick.
   double follows = 1.0;
   double follows_spread = 0.0;
   double rms_mm2 = 0.0;  ///< of the residuals of sections
   std::size_t readings = 0;
 };
 
-/// Fits what was extruded, by least squares: sections are proportional to their multipliers. The scatter of
+/// Fits the extruded flow by least squares: sections are proportional to their multipliers. The scatter of
 /// the readings gives the spread, but not less than `flow_trial.reading_mm`.
-/// @throws InvalidInput for fewer than three readings, or of fewer than two multipliers
+/// @throws InvalidInput if there are fewer than three readings, or fewer than two different multipliers
 FlowFit fitFlow(const std::vector<FlowReading>& readings, const FlowTrialSettings& settings);
 
 }  // namespace lamina

@@ -18,7 +18,7 @@ struct BodySight {
 /// The pose of a sensor as found from a body that was measured from several poses.
 struct HandEyeFit {
   Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();
-  double rms_mm = 0.0;   ///< scatter of the body's position on the bed, which should be one
+  double rms_mm = 0.0;   ///< scatter of the body's position on the bed; ideally 0
   double rms_deg = 0.0;  ///< scatter of its orientation
   /// Singular values of the closed form, greatest first. `rotation_singular_values`: rotations of the head
   /// about three axes, over all pairs of poses [rad]. `place_values`: how well these determine the sensor's

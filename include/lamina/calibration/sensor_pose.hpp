@@ -94,8 +94,8 @@ const char* directionName(std::size_t direction);
 /// The names of the components that kept their former value, separated by commas; empty if all were found.
 std::string directionsNotFound(const SensorPoseFit& fit);
 
-/// A sentence for each component that is not observable, naming those that have the same effect; none if all
-/// are observable.
+/// A sentence for each component that is not observable, naming the components that have the same effect;
+/// none if all are observable.
 std::vector<std::string> observability(const SensorPoseFit& fit, const SensorPoseSettings& settings);
 
 }  // namespace lamina

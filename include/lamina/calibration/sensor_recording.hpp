@@ -45,8 +45,8 @@ std::vector<RecordedPose> posesFromCsv(std::string_view text, const std::string&
 
 /// Reads profiles from CSV with the columns time_s, x_mm, z_mm and, if points leave the plane of the sensor's
 /// light, y_mm; a row for each point in the sensor's frame. Successive rows of equal times are one profile.
-/// The result is sorted by time. A point exactly zero is none: sensors send it in place of one that they
-/// miss.
+/// The result is sorted by time. Points that are exactly zero are left out: sensors send them in place of
+/// missing points.
 /// @param source  names the table in errors
 /// @throws InvalidInput as `posesFromCsv`; also if there is no point
 std::vector<RecordedProfile> profilesFromCsv(std::string_view text, const std::string& source);

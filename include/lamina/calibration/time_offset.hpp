@@ -29,16 +29,14 @@ struct TimeOffset {
 
 /// The time offset of a sensor that bobs (moves up and down) over a flat place: the lag at which the mean
 /// depth of the profiles agrees best with the nozzle's height, each less its moving mean over 2 s. Lags are
-/// tried every millisecond, and the best one is refined by a parabola. What lies in gaps between profiles, or
-/// between poses, is left out, and what lies within 1 s of gaps longer than 0.25 s. The pose of the sensor
-/// need not be known, but it must look along the nozzle.
+/// tried every millisecond, and the best one is refined by a parabola. Gaps between profiles or between poses
+/// are left out, as are times within 1 s of gaps longer than 0.25 s. The pose of the sensor need not be
+/// known, but it must look along the nozzle.
 ///
 /// @param search_s  greatest offset looked for, either way; positive
 /// @throws InvalidInput if the recording is shorter than 4 s or longer than 600 s, gaps leave less than 0.3
-/// of
-///   it, the nozzle moves less than
-///   0.05 mm rms, profiles do not follow it (correlation below 0.8), the best lag lies at the end of the
-///   search, or another one is as good because the motion repeats itself
+///   of it, the nozzle moves less than 0.05 mm rms, profiles do not follow it (correlation below 0.8), the
+///   best lag lies at the end of the search, or another lag is as good because the motion repeats itself
 TimeOffset offsetByBobbing(const SensorRecording& recording, double search_s);
 
 /// How passes in opposite directions of travel are compared.

@@ -18,7 +18,8 @@ struct FlangePose {
   std::size_t line = 0;  ///< of the table that states it, from 1; 0 if none does
 };
 
-/// Place of a tool's tip as found from a fixed point that it touched in several poses. Its turn is not found.
+/// Position of a tool's tip as found from a fixed point that the tip touched in several poses. The tool's
+/// orientation is not found.
 struct ToolCentreFit {
   Point3 flange_from_tip = Point3::Zero();  ///< [mm]
   Point3 base_from_point = Point3::Zero();  ///< [mm]
@@ -26,8 +27,8 @@ struct ToolCentreFit {
   std::vector<double> distances_mm;         ///< of each pose
   /// Standard deviations of the tip's place along the flange's axes, from those distances [mm].
   Point3 spread_mm = Point3::Zero();
-  /// How well the turns of the flange determine the tip, along the worst direction: 0 not at all, about 1 if
-  /// the flange turns every way.
+  /// How well the rotations of the flange determine the tip along the worst direction: 0 for not at all,
+  /// about 1 if the flange rotates about all axes.
   double least_determined = 0.0;
   std::vector<std::size_t> outlying;  ///< poses that contradict the others, by their index; all are fitted
 };

@@ -21,9 +21,9 @@ struct TouchedPoint {
   std::size_t line = 0;          ///< of the table that states it, from 1; 0 if none does
 };
 
-/// Where the origin of an object is that three points determine.
+/// Position of the origin of an object that three points determine.
 enum class ObjectOrigin {
-  Foot,  ///< at the foot of the third one on the line through the first two, as in RAPID
+  Foot,  ///< at the foot of the perpendicular from the third to the line of the others, as in RAPID
   First  ///< at the first one
 };
 
@@ -41,7 +41,7 @@ struct WorkObjectFit {
   std::vector<std::size_t> outlying;  ///< points that contradict the others, by index; all are fitted
 };
 
-/// The rotation and place that lead known points of an object to those touched, in the least squares
+/// The pose of an object that brings its known points nearest to the touched ones, by least squares
 /// [Kabsch1976].
 /// @throws InvalidInput if there are fewer than three points, if one states no point of the object, or if all
 ///   lie on one line

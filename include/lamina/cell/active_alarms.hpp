@@ -32,8 +32,8 @@ bool isLatched(const ActiveAlarm& alarm);
 std::string sentenceOf(const ActiveAlarm& alarm);
 
 /// The active alarms of a unit, oldest first. An alarm below Hold is removed when its cause is gone; from
-/// Hold on it must also be acknowledged. The cause of an event is gone as soon as it was raised. So that
-/// somebody sees it, an event below Hold stays until it is acknowledged or the unit is reset.
+/// Hold on it must also be acknowledged. The cause of an event is gone as soon as it was raised. An event
+/// below Hold stays until it is acknowledged or the unit is reset, so that somebody sees it.
 class ActiveAlarms {
  public:
   /// What has happened when an alarm was raised.
@@ -57,9 +57,9 @@ class ActiveAlarms {
   /// Removes the events below Hold, as a reset of the unit does.
   void forgetEvents();
 
-  /// The conditions, and the events from Hold on, that came back, ended or acknowledged since they were last
-  /// reported, within the second in which their repetitions are not: those that are still active once that
-  /// second is over, each once and with the time at which it came back.
+  /// Conditions, and events from Hold on, that ended or were acknowledged and then came back, all within the
+  /// second after their last report, in which repetitions are not reported. Each is returned once, when that
+  /// second is over, if it is still active, with the time at which it came back.
   std::vector<ActiveAlarm> takeReturned(double now_s);
 
   const std::vector<ActiveAlarm>& all() const { return alarms_; }

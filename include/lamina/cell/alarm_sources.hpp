@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What a source reports of an alarm.
+/// A source's report of an alarm.
 struct ReportedCause {
   int id = 0;
   std::string source;
@@ -16,17 +16,17 @@ struct ReportedCause {
   std::string message;
 };
 
-/// Which sources report the cause of each alarm as present. Several may raise one alarm, each for a cause of
-/// its own: it ends when it has ended for all of them.
+/// Which sources report the cause of each alarm as present. Several sources may raise one alarm, each with a
+/// cause of its own: the alarm ends when all causes have ended.
 class AlarmSources {
  public:
   /// What the end of a cause means for the alarm.
   struct End {
     bool is_over = false;                ///< whether nobody reports a cause any more
-    std::optional<ReportedCause> other;  ///< to be shown from now on; nothing if what is shown remains
+    std::optional<ReportedCause> other;  ///< cause to show from now on; nothing if the shown one remains
   };
 
-  /// A source reports a cause; it replaces what it has reported before.
+  /// A source reports a cause, which replaces its earlier cause of the alarm.
   void raise(ReportedCause cause);
   /// A source reports its cause as gone.
   /// @return nothing if the source has reported none

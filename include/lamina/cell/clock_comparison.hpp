@@ -16,7 +16,7 @@ struct ClockExchange {
   double heard_s = 0.0;     ///< answer received by this host
 };
 
-/// By how much another clock is ahead of this one, and how uncertain that is [s].
+/// Time by which another clock is ahead of this one, and its uncertainty [s].
 struct ClockOffset {
   double offset_s = 0.0;
   double uncertainty_s = 0.0;  ///< half the round trip, since all of it may have been spent in one direction
@@ -35,7 +35,7 @@ class ClockComparison {
   /// The medians of offset and of uncertainty over the last 16 exchanges; nothing before there are 16.
   std::optional<ClockOffset> offset() const;
 
-  /// Removes all exchanges: those before a step of either clock are of no use.
+  /// Removes all exchanges: they are of no use after a step of either clock.
   void forget() { last_.clear(); }
 
  private:

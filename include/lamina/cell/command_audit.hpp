@@ -12,9 +12,8 @@
 
 namespace lamina {
 
-/// What the audit says of commands. A client that asks again and again for what is refused fills neither disk
-/// nor audit: of one command of one source, refused repeatedly, one row a second is written, and the next row
-/// counts the others.
+/// Makes the audit's rows of commands. A command that one source repeats and that is refused each time gets
+/// one row a second, so that it fills neither disk nor audit; the next row counts the omitted repetitions.
 class CommandAudit {
  public:
   /// The row of a command and its answer; nothing if it is only counted.

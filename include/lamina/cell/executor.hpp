@@ -46,7 +46,7 @@ struct StartOrder {
 /// The last report of an executor.
 struct ExecutorReport {
   ExecutorPhase phase = ExecutorPhase::Resting;
-  /// Number of the order that it is about; 0 for a job that was not ordered by this cell.
+  /// Number of the order reported on; 0 for a job that was not ordered by this cell.
   std::uint64_t order = 0;
   std::string program;      ///< path of the job's program
   std::uint64_t lines = 0;  ///< number of lines of the program that carry a command
@@ -58,10 +58,10 @@ struct ExecutorReport {
   bool has_lost_motions = false;
 };
 
-/// What an executor is in words, and what it does not do.
+/// Texts about an executor, and what it cannot do.
 struct ExecutorTraits {
-  std::string unit = "line";  ///< of a job's file, by which progress is counted
-  /// Why it resumes no job that was cut off; empty if it resumes them.
+  std::string unit = "line";  ///< unit of a job's file in which progress is counted
+  /// Why the executor cannot resume jobs that were cut off; empty if it can.
   std::string against_resuming = {};
 };
 

@@ -33,18 +33,17 @@ enum class PlcNeed : std::uint8_t { None, Required };
 /// Unmet guards of the PLC's interlocks, in the order of their codes. Prohibitions (occupied zone, parts that
 /// cannot be taken away, emergency stop) count while the heartbeat comes. A missing build plate, clamp or
 /// supply counts only with `PlcNeed::Required`. Without a heartbeat, `Required` gives the missing heartbeat
-/// alone, and `None` gives nothing but the zone of a PLC that was heard before, which counts as taken.
+/// only. `None` then gives only the zone, which counts as taken if the PLC was heard before.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);
 
-/// Why the zone is not known to be free; empty if it is, or if there is no PLC that could know: none is
-/// required, and none was heard.
+/// Why the zone is not known to be free; empty if it is, or if no PLC is required and none was heard.
 std::string whyZoneIsTaken(const PlcInterlocks& plc, PlcNeed need);
 
 /// The present conditions for a start.
 struct StartConditions {
   int mode = kProduction;
   BoundMachine machine;  ///< machine of the cell, for which programs have to be checked
-  /// Differences of the machine from the one that the job's program was checked for.
+  /// Differences between the machine and the one for which the job's program was checked.
   std::vector<std::string> machine_differences;
   std::string job;                   ///< next job in the queue; empty if none is allowed to start
   std::vector<std::string> torn;     ///< files of the job whose hash has changed

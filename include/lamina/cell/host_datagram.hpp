@@ -26,7 +26,7 @@ constexpr std::size_t kHostDatagramBytes = 28;
 
 std::string encoded(const HostDatagram& datagram);
 
-/// The datagram that the bytes are.
+/// Decodes a datagram.
 /// @return nothing if the bytes are no datagram of this version
 std::optional<HostDatagram> hostDatagramIn(std::string_view bytes);
 

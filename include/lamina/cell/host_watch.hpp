@@ -60,18 +60,19 @@ struct NodeStatus {
 /// ROS master, its disk, and the nodes. Events are passed in at the time of their arrival, and alarms are
 /// returned; the class itself sends no messages.
 ///
-/// Hosts and clocks are reported only if there is another host. A clock counts as deviating only as far as
-/// the round trip does not explain its offset; but a round trip so long that the uncertainty exceeds
+/// Hosts and clocks are reported only if there is another host. Only the part of a clock's offset that the
+/// round trip does not explain counts as a deviation. A round trip so long that the uncertainty exceeds
 /// `hold_offset_s` is reported too. A step of this host's clock is reported for 10 s.
 class HostWatch {
  public:
   HostWatch(HostWatchSettings settings, const std::vector<PeerHost>& peers, CellTime now);
 
-  /// The next question to a host. To be called when it is sent, as the time of asking is `now`.
+  /// The next question to a host. To be called when it is sent: `now` is the time of the question.
   HostDatagram ask(const std::string& peer, CellTime now);
   /// States that a question of a host has arrived, a sign of life. Unknown hosts are ignored.
   void onQuestion(const std::string& peer, CellTime now);
-  /// States that an answer of a host has arrived. One to a question that was not asked lately is ignored.
+  /// States that an answer of a host has arrived. An answer to a question that was not asked lately is
+  /// ignored.
   void onAnswer(const std::string& peer, const HostDatagram& answer, CellTime now);
 
   /// States how the ROS master has answered.

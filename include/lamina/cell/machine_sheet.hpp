@@ -10,18 +10,18 @@
 
 namespace lamina {
 
-/// Kind of the artefact by which a job keeps the sheet of the machine that its program was checked for: lines
-/// of a name, a colon, a space and a value.
+/// Kind of the artefact that holds the sheet of the machine for which a job's program was checked: lines of a
+/// name, a colon, a space and a value.
 constexpr char kMachineSheet[] = "machine";
 
-/// A machine, as a job is bound to it.
+/// A machine to which a job is bound.
 struct BoundMachine {
   std::string name;
   std::string sheet;  ///< empty if it is not known; then the name alone counts
 };
 
-/// The differences of the machine from the one that a job was checked for, each a sentence with both values;
-/// empty if there are none. A job of an older version has no sheet, and is bound to the name alone.
+/// The differences between the machine and the one for which a job was checked, each a sentence with both
+/// values; empty if there are none. A job of an older version has no sheet, and is bound to the name alone.
 std::vector<std::string> machineDifferences(const QueuedJob& job, const BoundMachine& machine,
                                             const ArtefactStore& artefacts);
 

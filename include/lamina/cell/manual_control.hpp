@@ -14,8 +14,8 @@ namespace lamina {
 
 /// Time [s] for which a lease of the mode Manual holds unless its holder uses it again.
 constexpr double kManualLease = 10.0;
-/// Greatest time [s] of a step by hand. A button that is held repeats its step, so that the machine rests by
-/// itself soon after a hand, a page or a link is gone.
+/// Greatest time [s] of a step by hand. A button that is held repeats its step. The machine therefore stops
+/// by itself soon after a hand, a page or a link is gone.
 constexpr double kLongestManualStep = 0.3;
 
 /// A step by hand.
@@ -26,7 +26,7 @@ struct ManualStep {
   double speed = 0.0;  ///< above 0 [m/s, rad/s]
 };
 
-/// Who asks, and the lease that they show: 0 if they have none.
+/// The caller, and the number of the lease that they present; 0 if they have none.
 struct ManualCaller {
   std::string source;  ///< "page: anna"
   std::uint64_t lease = 0;
@@ -39,14 +39,14 @@ struct ManualConditions {
   std::string zone_fault;             ///< why the zone is not known to be free; empty if it is
   bool is_emergency_stopped = false;  ///< whether the alarm of an emergency stop (1207) is there
   bool has_driver = false;            ///< whether a node that jogs has been heard of
-  std::vector<std::string> joints;    ///< that it moves
+  std::vector<std::string> joints;    ///< joints that this node moves
 };
 
 /// Moving a machine by hand in the mode Manual: by one holder of a lease at a time, in short steps, while the
 /// unit is in Stopped or Idle. Deterministic: all times are given.
 class ManualControl {
  public:
-  /// Gives the lease to a caller, or renews that which the caller shows. Its number is `lease()`.
+  /// Gives the lease to a caller, or renews the lease that the caller presents. Its number is `lease()`.
   CommandAnswer take(const ManualCaller& who, const ManualConditions& found, CellTime now);
 
   /// Renews the caller's lease and begins a step, which replaces the one under way.

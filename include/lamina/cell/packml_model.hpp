@@ -101,8 +101,8 @@ bool hasState(const UnitMode& mode, UnitState state);
 /// Whether the mode can be changed in a state: in Idle, Stopped and Aborted.
 bool canChangeMode(UnitState state);
 
-/// Rank of a command among those that arrive at the same time, the first one first: Abort 0, Stop 1, Hold 2,
-/// Suspend 3, all others `kLastPrecedence`. The completion of a state comes just before these others.
+/// Rank of a command among simultaneous ones, 0 being first: Abort 0, Stop 1, Hold 2, Suspend 3, all others
+/// `kLastPrecedence`. The completion of a state comes just before these others.
 constexpr int kLastPrecedence = 4;
 int precedence(UnitCommand command);
 

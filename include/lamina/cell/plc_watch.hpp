@@ -71,11 +71,12 @@ class PlcWatch {
   /// Evaluates a report of the link.
   void hear(const PlcReport& report, double now_s);
 
-  /// States that remote access was locked, so that a silent PLC is not missed unless it is required.
+  /// States that remote access was locked. A silent PLC then raises no alarm unless it is required.
   void disarm() { is_armed_ = false; }
 
-  /// The interlocks for the guards; not alive if the link has been silent for more than two seconds, and
-  /// silent, then, if its heartbeat was good since `disarm` or the link reports it lost.
+  /// The interlocks for the guards. The PLC is not alive if the link has been silent for more than two
+  /// seconds. A PLC that is not alive counts as silent if its heartbeat was good since `disarm` or the link
+  /// reports it lost.
   PlcInterlocks interlocks(double now_s) const;
 
   /// What has become necessary since the last call; each demand is returned once. To be called as often as

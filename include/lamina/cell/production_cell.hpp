@@ -58,14 +58,14 @@ class ProductionCell {
   std::optional<QueuedJob> currentJob() const;
   /// The execution that the executor is running; nothing if there is none.
   std::optional<std::int64_t> runningExecution() const;
-  /// Whether a job was cut off for which it is not decided yet whether it is resumed.
+  /// Whether a job that was cut off waits for the decision on resuming it.
   bool resumeWaits() const { return execution_ && !is_running_; }
 
   /// The reasons for which the job that was cut off cannot be resumed, whatever the unit's state; none if it
   /// can be, or if there is none.
   std::vector<UnmetGuard> againstResuming() const;
 
-  /// The reasons against a start of the next job, as far as they show without reading its files.
+  /// The reasons against a start of the next job, without the checks that read its files.
   std::vector<UnmetGuard> againstNext(const CellSurroundings& found) const;
 
   /// Answers a command and follows it if it is accepted; answer and command are written into the journal.

@@ -35,16 +35,16 @@ class QueueFollower {
  public:
   explicit QueueFollower(QueueAdvance rule) : rule_(rule) {}
 
-  /// The command that is the queue's turn in this state of the unit, whether or not it can be given yet. To
-  /// be called after each command that somebody else gives.
+  /// The command that the queue has to give in this state of the unit, even if it cannot be given yet. To be
+  /// called after each command that somebody else gives.
   std::optional<UnitCommand> observe(const UnitStatus& unit);
 
   /// Gives the queue's command if it is its turn and nothing is against it; once a second at most.
   /// @param look  called only when a start is due
   void follow(ProductionCell& cell, const std::function<StartOutlook()>& look, CellTime now);
 
-  /// The reasons why the next job does not start by itself yet; empty if it was never the queue's turn since
-  /// a person has had it, or nothing is against it.
+  /// The reasons why the next job does not start by itself yet, or why the queue's last command was refused;
+  /// empty if it is not the queue's turn, or nothing is against the start.
   const std::string& waitsFor() const { return waits_for_; }
 
  private:

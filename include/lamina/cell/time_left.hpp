@@ -15,13 +15,13 @@ struct LeftEstimate {
 };
 
 /// Estimates the rest of a job from the rate at which its lines were executed: over the whole job, and over
-/// the last five minutes. The estimate is the mean of both. Its bounds are the lesser and the greater of the
-/// two, less and more by 10 %, and by up to 50 % in the first seconds. If layers take longer and longer, the
-/// first estimates are too short.
+/// the last five minutes. The estimate is the mean of both. Its bounds are the lesser of the two less 10 %
+/// and the greater plus 10 %; in the first seconds up to 50 %. If layers take longer and longer, the first
+/// estimates are too short.
 class TimeLeft {
  public:
   /// States the progress of a job that runs.
-  /// @param job       its number; with another number than before the estimate begins again; 0 for none
+  /// @param job       number of the job; a change of number restarts the estimate; 0 for none
   /// @param fraction  share of its lines that are done, 0 to 1
   void observe(double now_s, long long job, double fraction);
   /// States that the unit does not run: this time does not count.

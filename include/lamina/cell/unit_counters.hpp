@@ -18,7 +18,7 @@ struct UnitCounters {
   using PerState = std::array<double, 17>;  ///< [s], by state number - 1
   std::map<int, PerState> times_s;          ///< time in each state, by mode number
   std::uint64_t parts = 0;                  ///< number of parts printed
-  std::uint64_t defective = 0;              ///< number of those that are defective
+  std::uint64_t defective = 0;              ///< number of defective parts
   double material_mm3 = 0.0;                ///< volume deposited
 };
 
@@ -32,8 +32,7 @@ double totalTime(const UnitCounters& counters);
 
 /// The counters by the names that they have in the journal.
 std::map<std::string, double> namedCounters(const UnitCounters& counters);
-/// The counters of the journal; 0 for those that it does not have. Times in modes that are not given are left
-/// out.
+/// The counters of the journal; 0 for counters that it lacks. Times in modes that are not given are left out.
 UnitCounters countersOf(const std::map<std::string, double>& named, const std::vector<UnitMode>& modes);
 
 /// A counter as in the standard's 32-bit tags: rounded down, and beginning at 0 again after 2147483647.

@@ -99,8 +99,9 @@ class UnitMachine {
   const UnitStatus& status() const { return status_; }
 
   /// Answers a command, and follows it if it is accepted. A refused command changes nothing. Start, Unhold
-  /// and Unsuspend are refused while an alarm of category Suspend or graver is active, Reset and Clear while
-  /// one of category Hold or graver is. For Stop, Hold and Abort neither guards nor sequence are checked.
+  /// and Unsuspend are refused while an alarm of category Suspend or graver is active; Reset and Clear while
+  /// an alarm of category Hold or graver is active. For Stop, Hold and Abort neither guards nor sequence are
+  /// checked.
   CommandAnswer command(const UnitRequest& request, double now_s);
 
   /// Answers the commands that have arrived at the same time, following them in the order of their
@@ -114,8 +115,8 @@ class UnitMachine {
   CommandAnswer changeMode(int mode, const std::string& source, double now_s);
 
   /// States that an acting state is complete; without effect if the unit is in another state by now. Clearing
-  /// goes on as long as there is an alarm of category Abort whose cause is present. If the mode lacks the
-  /// state that follows (Completing after Execute), Stopping follows.
+  /// continues while the cause of an alarm of category Abort is present. If the mode lacks the state that
+  /// follows (Completing after Execute), Stopping follows.
   void complete(UnitState state, double now_s);
 
   /// Raises an alarm and follows the command of its category. If state or mode do not allow the command,
@@ -128,8 +129,8 @@ class UnitMachine {
   void end(int alarm, double now_s) { status_.alarms.end(alarm, now_s); }
 
   /// Raises an alarm of an earlier run of the unit, whose source is not known any more: its cause counts as
-  /// gone, and from category H on it waits to be acknowledged. The unit does not react to it. Unless it is in
-  /// Execute or Idle, the alarm becomes the stop reason if there is none.
+  /// gone, and from category H on it waits to be acknowledged. The unit does not react to it. Unless the unit
+  /// is in Execute or Idle, the alarm becomes the stop reason if there is none.
   /// @param raised_s  time at which it was raised; may be before that of the unit's first state
   /// @throws InvalidInput if the table has no alarm of that ID
   void restore(int alarm, double value, const std::string& message, double raised_s, double now_s);

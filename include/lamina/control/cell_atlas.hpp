@@ -36,10 +36,10 @@ struct PointSights {
 /// A point lies on a cell if its distance from the middle of the planned top is at most half the cell's
 /// length along the path, half the bead's width across it, and `window_layers` planned heights along the
 /// growth direction. Length and width are taken 2 % greater, since beads fan out above a crest. On the
-/// outside of bends, where gaps open between the cells of a bead, up to half the length more is allowed.
-/// Where several cells qualify, that of one bead is the nearest along the path; of several beads it is the
-/// one whose middle is nearest in bead widths, and of equally near ones the one deposited first. The result
-/// does not depend on the order in which points are looked up.
+/// outside of bends, where gaps open between the cells of a bead, up to half the length more is allowed. If
+/// several cells of one bead qualify, the nearest along the path is taken; of cells of several beads, the one
+/// whose middle is nearest in bead widths, and of equally near ones the one deposited first. The result does
+/// not depend on the order in which points are looked up.
 ///
 /// The cost of a look-up does not depend on the number of cells. A layer that lies along a plane is indexed
 /// by squares of that plane, any other by cubes.
@@ -47,7 +47,7 @@ class CellAtlas {
  public:
   /// @param window_layers  distance along the growth direction, either way, within which a point lies on a
   ///   cell, in planned heights of the cell; positive
-  /// @throws InvalidInput if that is not positive and finite
+  /// @throws InvalidInput if `window_layers` is not positive and finite
   explicit CellAtlas(double window_layers = 1.5);
   CellAtlas(CellAtlas&&) noexcept;
   CellAtlas& operator=(CellAtlas&&) noexcept;

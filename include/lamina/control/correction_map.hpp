@@ -35,13 +35,13 @@ struct PathCorrection {
 struct CorrectionMap {
   std::string toolpath_id;
   std::size_t layer = 0;
-  /// Number among the maps of this layer; the one with the greatest is valid. 0 is the coasting map, issued
-  /// with the map of the layer below, for a layer whose own does not come in time.
+  /// Number among the maps of this layer; the map with the greatest number is valid. 0 is the coasting map:
+  /// it is issued with the map of the layer below, in case the layer's own map does not come in time.
   std::uint64_t sequence = 0;
   std::vector<PathCorrection> paths;  ///< ascending by `path`
 };
 
-/// Whether a map of a loop is that of a layer for which no other comes in time.
+/// Whether a map of a loop is the coasting map of its layer.
 inline bool isCoasting(const CorrectionMap& map) { return map.sequence == 0; }
 
 /// Whether a path with these corrections is deposited as planned.

@@ -32,7 +32,7 @@ struct LayerFigures {
   double coverage = 0.0;         ///< share of cells seen
   FallenLength fallen;           ///< not among the errors; from `FallenWatch`
   bool is_measured = false;      ///< coverage is at least `min_coverage`
-  double contested_share = 0.0;  ///< share of the cells read of which all readings were contested
+  double contested_share = 0.0;  ///< share of the cells read whose readings were all contested
   /// Share of the length on which the correction deposited was limited in value or volume.
   double limited_share = 0.0;
   double deviating_share = 0.0;  ///< share of cells whose error is above `alarm_layers` times their height
@@ -41,9 +41,9 @@ struct LayerFigures {
   double gain_greatest = 1.0;
   /// Quotient of measured growth and the growth expected by the gain, after learning from this layer.
   double gain_ratio = 1.0;  ///< 1 if no growth was measured
-  /// Means of squared innovations over their expected variances; 1 without readings. `consistency` is that of
-  /// the first reading of each cell and shows whether the spread of growth is right; `repeatability` is that
-  /// of further readings and shows whether the noise of the sensor is right.
+  /// Means of squared innovations over their expected variances; 1 without readings. `consistency` is the
+  /// mean over the first readings of cells: it shows whether the spread of growth is right. `repeatability`
+  /// is the mean over further readings: it shows whether the noise of the sensor is right.
   double consistency = 1.0;
   double repeatability = 1.0;
   double spread = 0.0;  ///< relative standard deviation of growth, as learnt
@@ -53,8 +53,8 @@ struct LayerFigures {
 struct StoredHeights {
   std::vector<StoredEstimate> estimates;
   std::vector<double> deficit;         ///< missing cross-section, as in `SectionKnowledge`
-  LayerKnowledge before_clouds;        ///< the knowledge that there would be if no cloud had shown the layer
-  std::vector<double> before_deficit;  ///< `deficit` if no cloud had shown the layer
+  LayerKnowledge before_clouds;        ///< the knowledge without the clouds of the layer
+  std::vector<double> before_deficit;  ///< `deficit` without the clouds of the layer
   double spread = 0.0;                 ///< relative standard deviation of growth
   std::size_t layers_begun = 0;
   std::size_t clouds = 0;  ///< number of clouds that showed the layer
@@ -79,8 +79,8 @@ class HeightLoop {
   /// error. The first layer lies on the bed, whose height is known.
   void beginLayer(LayerCells cells);
   /// Begins a layer with relative amounts learnt from previous parts, one per cell. They compensate for the
-  /// gain of the process; the gain learnt on this part then states how far growth differs from what they lead
-  /// to expect. Such a layer is corrected by its gains even if it is one of the first ones.
+  /// gain of the process; the gain learnt on this part then states how far growth differs from that expected
+  /// with these amounts. Such a layer is corrected by its gains even if it is one of the first ones.
   /// @throws InvalidInput if there is not one value per cell
   void beginLayer(LayerCells cells, std::vector<double> learnt);
 
@@ -89,7 +89,7 @@ class HeightLoop {
   /// none.
   LayerCorrection correction(LoopState state) const;
 
-  /// States the correction with which the layer is deposited.
+  /// States the correction by which the layer is deposited.
   /// @throws InvalidInput if there is not one value per cell
   void lay(const LayerCorrection& correction);
   /// States also the distance of the nozzle below the plan at each cell [mm], which is the height error of a
@@ -141,8 +141,8 @@ class HeightLoop {
   /// The input of the law: error and gain of each cell. Unknown cells have those of the nearest known cell of
   /// their path within two standard deviations of the low-pass, or else the mean known error.
   LayerKnowledge knowledge() const;
-  /// Mean error of those cells that were seen since they were deposited, and before the layer is deposited of
-  /// those that it lies on; nothing if they are less than `min_coverage` of the length.
+  /// Mean error of the cells that were seen since they were deposited; before the layer is deposited, of the
+  /// cells below it. Nothing if they are less than `min_coverage` of the length.
   std::optional<double> seenError() const;
 
  private:

@@ -22,8 +22,8 @@ struct CellRun {
   double cellLength() const { return length_mm / static_cast<double>(count); }  ///< [mm]
 };
 
-/// Region of its path in which a cell lies, since growth differs between them: within `kRegionReach` of an
-/// end of an open path, within that distance of a corner (a change of direction by more than 30 deg), or
+/// Region of its path in which a cell lies; growth differs between regions: within `kRegionReach` of an end
+/// of an open path, within that distance of a corner (a change of direction by more than 30 deg), or
 /// elsewhere.
 enum class CellRegion : std::uint8_t { Straight, End, Corner };
 
@@ -59,7 +59,7 @@ struct LayerCells {
   std::size_t size() const { return middle.size(); }
 };
 
-/// Whether a path is divided into cells: what is deposited otherwise is as planned.
+/// Whether a path is divided into cells. Other paths are deposited as planned.
 bool hasCells(const Path& path);
 
 /// Divides a layer into cells. Travels, drops and build aids (skirt, supports and the like) have none.
@@ -82,8 +82,9 @@ constexpr double kRegionReach = 10.0;
 
 constexpr std::uint32_t kNoCellBelow = 0xFFFFFFFFU;
 /// For each cell of a layer the nearest cell of the layer below, by distance in the plane perpendicular to
-/// the normal; `kNoCellBelow` if none lies within the width of the cell's bead. A cell that does not grow
-/// along the normal has the cell nearest to the place a layer's height below it along its own growth.
+/// the normal; `kNoCellBelow` if none lies within the width of the cell's bead. For a cell that does not grow
+/// along the normal, it is the cell nearest to the point one layer height below along its own growth
+/// direction.
 std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells& below,
                                       const Eigen::Vector3d& normal);
 

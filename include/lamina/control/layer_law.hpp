@@ -41,9 +41,8 @@ LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<doub
 LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
 
-/// Commands that a feeder can follow: the wanted ones, limited in value and in slope. An edge is cut on both
-/// of its sides alike, so that it stays where it is; the volume of a run may change for that. Values that are
-/// not finite become 0.
+/// Commands that a feeder can follow: the wanted ones, limited in value and in slope. An edge is cut equally
+/// on both sides and keeps its place; the volume of a run may change. Values that are not finite become 0.
 std::vector<double> followedCommands(const LayerCells& cells, const std::vector<double>& wanted,
                                      const LoopSettings& settings);
 
@@ -53,9 +52,9 @@ double greatestSlope(double feeder_rate_s, double speed_mm_s);
 
 /// The amounts of a layer whose map is replaced while the layer is deposited, one per cell. Cells before
 /// `begin` keep the amounts `from`. From `begin` on, the amount goes from that of the cell before to those of
-/// `to`, no faster than the feeder follows; this may last over several runs. Once it has come to an amount of
-/// `to`, or something was deposited that has no cells and is as planned, all others are those of `to`: from
-/// path to path they may step, as the feeder rests in between.
+/// `to`, no faster than the feeder follows; this may last over several runs. Once an amount of `to` is
+/// reached, or a path without cells was deposited as planned, all further amounts are those of `to`. They may
+/// step from path to path, as the feeder rests in between.
 /// @param from   amounts of the map that is in force
 /// @param to     amounts of the map that replaces it
 /// @param begin  first cell that the new map may change

@@ -76,7 +76,7 @@ struct LoopSettings {
 /// Adds the keys loop.*.
 void describe(SettingsSchema& schema, LoopSettings& settings);
 
-/// Adds those keys loop.* that state limits and delay of the feeder.
+/// Adds the keys loop.* for limits and delay of the feeder.
 void describeFeeding(SettingsSchema& schema, LoopSettings& settings);
 
 /// Greatest less least relative change of the amount deposited.

@@ -38,8 +38,8 @@ enum class PartEnd { Complete, Aborted };
 /// The map for the next part by iterative learning [Bristow2006]: Q (u + K F (1 / g - 1 - u)).
 ///
 /// u is the previous map, 0 for the first part. g is the gain measured at each cell: actual over commanded
-/// growth of this layer alone, so that amounts are not learnt that only compensated for errors of the layers
-/// below. F is the low-pass of the loop along the path and across beads. Q averages a layer with the layers
+/// growth of this layer alone, so that amounts that only compensated for errors of the layers below are not
+/// learnt. F is the low-pass of the loop along the path and across beads. Q averages a layer with the layers
 /// above and below, by weights of 1/2 and 1/4 each, where these have equal numbers of cells. K is the greater
 /// of `part_learning` and 1 over the number of parts, this one included; thus the map is at first a mean over
 /// the parts. Cells that were not seen change only by the smoothing of F and Q. The result is within the

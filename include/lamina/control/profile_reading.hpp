@@ -20,8 +20,8 @@ struct SightSettings {
   /// Width of the crown (the level middle of a bead) over the width of the bead.
   double crown_share = 1.0 / 3.0;
   double sigma_mm = 0.02;  ///< standard deviation of a point along the beam
-  /// Standard deviation of a point along the line of light, of sensors whose points are not at fixed places
-  /// of it.
+  /// Standard deviation of a point along the line of light, for sensors whose points are not at fixed places
+  /// along it.
   double lateral_sigma_mm = 0.0;
   double pose_sigma_mm = 0.0;  ///< standard deviation of the sensor's position along the growth direction
   /// Greatest angle between beam and growth direction; 90: all but undersides are read.

@@ -40,8 +40,8 @@ struct LayerAuthority {
 };
 
 /// Height error at the top of the part [mm], positive if too low, that is expected if the layers left are
-/// deposited with that gain and amounts within the limits. It is 0 where amounts catch up what is too low, or
-/// too high.
+/// deposited with that gain and amounts within the limits. It is 0 if amounts within the limits make up for
+/// the present error.
 double expectedTopError(const PartUnderWay& part, const LayerAuthority& authority);
 
 /// Whether corrections alone are not enough: the mean error, too high or too low, exceeds the height of a

@@ -23,18 +23,17 @@ struct SectionReading {
 /// along the sensor's line of light is shown point by point across, by one profile after the other.
 ///
 /// The contour of each cell is kept in twelve strips across its bead, as means of the points in them. A point
-/// that lies on a neighbouring bead is that one's. Where the light passes the base of a bead of a plane layer
+/// on a neighbouring bead belongs to that bead. Where the light passes the base of a bead of a plane layer
 /// within the planned width, and meets nothing before, a layer's height is missing. Points on the same cells
 /// in the same order give the same contours. 144 bytes a cell.
 class SectionContours {
  public:
   /// Forgets all contours: a layer begins.
   void begin();
-  /// Adds the points of a profile that lie on the newest layer of the atlas, of which only deposited cells
-  /// count.
+  /// Adds the points of a profile that lie on deposited cells of the newest layer of the atlas.
   void see(const SensorProfile& profile, const CellAtlas& atlas, const SightSettings& settings);
-  /// What the contours show of the cells that points were added to since the last call, ascending by cell.
-  /// Cells whose contour has too few strips (`sectionDeficit`) are left out.
+  /// The readings of the cells that have received points since the last call, ascending by cell. Cells whose
+  /// contour has too few strips (`sectionDeficit`) are left out.
   std::vector<SectionReading> take();
 
  private:

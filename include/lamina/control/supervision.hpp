@@ -30,9 +30,9 @@ enum class LoopAlarm : std::uint16_t {
   MapLate = 6116        ///< a layer's map did not arrive in time, or was not applied
 };
 
-/// Whether the cause of an alarm lasts until it is seen to be gone (6101, 6102, 6103, 6105); that of any
-/// other has happened, and is over. A lump is among the latter: that it was taken off shows before the next
-/// layer, for which a print that is held waits.
+/// Whether the cause of an alarm lasts until it is seen to be gone (6101, 6102, 6103, 6105); any other cause
+/// is over once it has happened. A lump is among the latter: its removal shows before the next layer, for
+/// which a held print waits.
 bool isCondition(LoopAlarm alarm);
 
 /// The reaction to an alarm.
@@ -52,7 +52,7 @@ struct RaisedAlarm {
   std::string reason;  ///< what is wrong, the value with its unit, and what was expected
 };
 
-/// The reason why a loop coasts that should be active.
+/// The reason why a loop coasts instead of being active.
 enum class CoastingFor : std::uint8_t {
   Nothing,
   Sight,       ///< until a layer is measured
@@ -79,7 +79,7 @@ struct LoopStatus {
 
 /// Whether the loop judges what happens: not while it is off or blocked.
 bool isRunning(LoopState state);
-/// Whether so many layers running were not measured that the loop does not go on by itself.
+/// Whether so many layers in a row were not measured that the loop does not continue by itself.
 bool isSightLost(const LoopStatus& status);
 
 /// The status after an event, and the alarms that it raised.
@@ -96,26 +96,26 @@ enum class LoopRequest : std::uint8_t { Off, Identify, Active };
 /// and coasting of any kind.
 LoopStatus afterRequest(LoopRequest request, const StabilityReport& report);
 
-/// What the sensor and its transforms do at a time.
+/// State of the sensor and its transforms at a time.
 struct SensorWatch {
   bool is_scanning = false;         ///< whether clouds are expected
   double silent_s = 0.0;            ///< time since the last cloud
   double unplaced_s = 0.0;          ///< time since the last cloud whose frame tf knew, while others come
   double blind_s = 0.0;             ///< time since the last cloud with a known pose of the nozzle
   double variance_mm2 = 1.0;        ///< variance of points between profiles taken while the sensor moves
-  int profiles = 0;                 ///< number of profiles in a row of which the variance is
-  std::string sensor = {};          ///< name of the sensor that they are of; empty if it has none
+  int profiles = 0;                 ///< number of profiles in a row that gave the variance
+  std::string sensor = {};          ///< name of these profiles' sensor; empty if it has none
   bool is_seen_otherwise = false;   ///< whether another sensor measures, in this layer or the one before
   double time_offset_s = 0.0;       ///< observed less calibrated time offset
   double time_offset_sigmas = 0.0;  ///< magnitude of `time_offset_s` in standard deviations
-  std::string offset_sensor = {};   ///< name of the sensor that it is that of; empty if it has none
+  std::string offset_sensor = {};   ///< name of the sensor of that offset; empty if it has none
   std::string moved = {};           ///< how a sensor that has moved shows it; empty if none has
   double map_late_s = 0.0;          ///< time for which the layer has waited for its map
 };
 
-/// Whether such profiles are those of a stuck sensor.
+/// Whether profiles of that number and variance are those of a stuck sensor.
 bool isStuck(int profiles, double variance_mm2);
-/// Whether a sensor is stuck whose clouds are left out, as another one measures.
+/// Whether a sensor is stuck and its clouds are left out, as another one measures.
 bool isLeftOut(const SensorWatch& watch);
 
 /// Judges what the sensor does. A stuck sensor is a warning if another one measures. Without effect while the

@@ -37,8 +37,8 @@ class TrailingTrim {
   /// @return the trim to add to the amount from here on
   double advance(std::optional<double> relative_error);
 
-  /// Sets the trim that acts from here on in the place of the one that `advance` has given, as it does not
-  /// fit some bound of the caller's: what was cut is not expected to show.
+  /// Replaces, from here on, the trim that `advance` has given, for a caller with a bound of its own. The
+  /// predictor does not expect an effect of the part cut off.
   void replace(double trim);
 
   /// The present trim.

@@ -24,8 +24,8 @@ struct NozzleRoom {
 /// - `Surface`, free process: minus the low-passed error. Pressed process: as `Layer`.
 ///
 /// A shift of the layer as a whole changes by at most 0.2 layer heights from layer to layer. Apart from
-/// `Plan`, a shift is raised as far as the head's clearance over the highest cell needs, but is never greater
-/// than a layer height either way.
+/// `Plan`, a shift is raised as far as the head's clearance over the highest cell requires, but is never
+/// greater than a layer height either way.
 /// @param before_mm  mean shift of the layer below
 std::vector<double> nozzleShift(const LayerCells& cells, const LayerKnowledge& known, double before_mm,
                                 const NozzleRoom& room, const LoopSettings& settings);

@@ -13,7 +13,7 @@ namespace lamina {
 /// A file that was taken into the store.
 struct KeptFile {
   Artefact artefact;
-  bool is_new = false;  ///< whether the store had none with these bytes and that suffix
+  bool is_new = false;  ///< whether the store had no file with these bytes and that suffix
 };
 
 /// Store of files, named by the digest of their bytes and the suffix of their original name, in a folder
@@ -39,10 +39,10 @@ class ArtefactStore {
   /// left.
   KeptFile keepFile(const std::string& path, const std::string& kind, const std::string& name);
 
-  /// Removes an artefact's file, for one that no row of the journal names.
+  /// Removes the file of an artefact that no row of the journal names.
   void remove(const Artefact& artefact);
 
-  /// Stores bytes from memory, as `keep` does those of a file.
+  /// Stores bytes from memory; otherwise as `keep`.
   Artefact keepText(const std::string& bytes, const std::string& kind, const std::string& name);
 
   /// Path of an artefact's file.

@@ -99,7 +99,7 @@ struct AlarmRow {
   double value = 0.0;
   char category = 'I';
   std::string message;
-  std::int64_t execution = 0;  ///< open when the row was added, as the journal returns it; 0 for none
+  std::int64_t execution = 0;  ///< execution open when the row was added, in returned rows; 0 for none
 };
 
 /// An entry of the audit: who asked for what, and with which result.
@@ -182,7 +182,7 @@ class CellJournal {
   void acknowledgeAlarm(int alarm, const std::string& by, double time_s);
   /// Marks all rows of an alarm as gone.
   void endAlarm(int alarm, double time_s);
-  /// The newest row of an alarm that is not acknowledged or not gone; nothing if all are both.
+  /// The newest row of an alarm that is not acknowledged or not gone; nothing if all rows are both.
   std::optional<AlarmRow> unsettled(int alarm) const;
   std::vector<TransitionRow> transitions(std::size_t most) const;  ///< the last `most`, oldest first
   std::vector<AlarmRow> alarms(std::size_t most) const;            ///< the last `most`, oldest first

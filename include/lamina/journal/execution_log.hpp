@@ -104,12 +104,12 @@ class ExecutionLog {
   std::vector<TransitionRow> transitions(std::int64_t execution) const;
   std::vector<AlarmRecord> alarms(std::int64_t execution) const;
 
-  /// Adds the part of an execution or, if it has one, replaces verdict and record of that.
+  /// Adds the part of an execution or, if it has one, replaces that part's verdict and record.
   void setPart(std::int64_t execution, const PartRow& part, double time_s);
   std::optional<PartRow> part(std::int64_t execution) const;
   /// Numbers of the executions that have a part: at most the last `most`, the latest first.
   std::vector<std::int64_t> withPart(std::size_t most) const;
-  /// Marks the latest part as removed from the machine; no other part, and nothing if it is marked already.
+  /// Marks the latest part as removed from the machine. Without effect if it is marked already.
   void removePart(const std::string& by, double time_s);
 
  private:

@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// Record of a part: the files of which it was made, by whom, what happened meanwhile, and how its layers
-/// turned out. It consists of a JSON text (`docs/cell/part_record.schema.json`) and a CSV table of the
-/// layers, both artefacts.
+/// Record of a part: the files from which it was made, the persons, the events, and the results of its
+/// layers. It consists of a JSON text (`docs/cell/part_record.schema.json`) and a CSV table of the layers,
+/// both artefacts.
 struct PartRecord {
   std::string json;
   std::string layers_csv;
@@ -23,7 +23,7 @@ struct PartRecord {
 struct PartOutcome {
   std::string verdict;  ///< "good", "defective" or "aborted"
   double time_s = 0.0;  ///< time of the record, UTC
-  /// Files with which, and with the program, the lines that were sent can be made again.
+  /// Files from which, together with the program, the lines that were sent can be made again.
   std::vector<Artefact> corrections;
 };
 
@@ -38,7 +38,7 @@ void keepRecord(CellJournal& journal, ArtefactStore& store, std::int64_t executi
 struct CheckedRecord {
   PartRecord record;
   std::vector<Artefact> files;      ///< files of the job and its corrections whose digests are right
-  std::vector<std::string> faults;  ///< empty if every digest is the one that the journal holds
+  std::vector<std::string> faults;  ///< empty if every digest agrees with the journal
 };
 
 /// Reads the record of a job and checks all of its digests.

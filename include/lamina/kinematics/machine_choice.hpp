@@ -22,7 +22,7 @@ struct MachineSettings {
 /// @param meaning  description of machine.name: "Machine that prints the part."
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning);
 
-/// The chosen machine, as far as its linear axes go.
+/// The chosen machine, with its linear axes only.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
 CartesianMachine machineOf(const MachineSettings& settings);
 

@@ -49,8 +49,7 @@ struct RefusedRequest {
   ModbusException exception = ModbusException::IllegalFunction;
 };
 
-/// A frame after which frames can no longer be told apart in the byte stream, so that the connection has to
-/// be closed.
+/// A frame after which the byte stream can no longer be split into frames: the connection has to be closed.
 struct BrokenFrame {
   std::string reason;
 };
@@ -58,7 +57,7 @@ struct BrokenFrame {
 using ModbusFrame = std::variant<ModbusRequest, RefusedRequest, BrokenFrame>;
 
 /// Splits the bytes of a connection into frames as they arrive. The header of a frame states its length,
-/// which must be the one that its function requires: a longer frame, in which a second one could hide, is
+/// which must be the length that its function requires: a longer frame, in which a second one could hide, is
 /// broken. So is a frame for another protocol, or for a unit other than 1 and 255. After a broken frame
 /// nothing more is read.
 class FrameReader {

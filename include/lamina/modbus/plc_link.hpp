@@ -65,8 +65,8 @@ class PlcLink {
   void setPresence(UnitPresence presence, double now_s);
 
   /// The orders since the last call, oldest first. While remote access is locked, the watchdog is lost or the
-  /// unit is lost, Stop, Hold and Abort alone are among them: other commands are answered with the reason,
-  /// and other orders are dropped.
+  /// unit is lost, only Stop, Hold and Abort are among them: other commands are answered with the reason, and
+  /// other orders are dropped.
   std::vector<PlcOrder> takeOrders();
 
   /// Reports the result of a command to the PLC. For other orders nothing is reported, as the status shows
@@ -80,8 +80,7 @@ class PlcLink {
   /// Whether the watchdog is armed and good.
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
-  /// Number of times that the PLC has changed what it reports of its surroundings: interlocks, plate, speed,
-  /// badge.
+  /// Number of changes in the PLC's reports on its surroundings: interlocks, plate, speed, badge.
   std::uint32_t news() const { return news_; }
 
   /// Whether the PLC has written the register of its plate; before that the register has no meaning.
@@ -90,7 +89,7 @@ class PlcLink {
   /// The values that the PLC has written.
   PlcInputs inputs() const { return plcInputs(holding_, settings_.word_order); }
 
-  /// The input registers as the PLC would read them at that time.
+  /// The input registers as the PLC reads them at a time.
   InputRegisters registers(double now_s) const;
 
  private:

@@ -81,7 +81,7 @@ struct ProcessFigures {
 
 /// Contents of the input registers, except for those that the link itself adds (`LinkFigures`).
 struct PlcStatus {
-  std::vector<StatusFlag> flags;  ///< those that are set, without those that the link sets itself
+  std::vector<StatusFlag> flags;  ///< flags that are set, without the flags that the link sets itself
   int mode = kProduction;
   int mode_requested = kProduction;
   UnitState state = UnitState::Aborted;  ///< Aborted, which allows least, until the unit reports its state

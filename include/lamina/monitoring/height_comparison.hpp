@@ -14,7 +14,7 @@ namespace lamina {
 struct HeightStatistics {
   double mean_mm = 0.0;   ///< measured less expected; 0 if nothing was seen
   double rms_mm = 0.0;    ///< root of the mean square
-  double worst_mm = 0.0;  ///< the one of the largest magnitude, with its sign
+  double worst_mm = 0.0;  ///< difference of the largest magnitude, with its sign
   double coverage = 0.0;  ///< share of the top cells that was seen, 0 to 1
   std::size_t cells = 0;  ///< number of top cells seen
 };

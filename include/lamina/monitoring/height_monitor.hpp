@@ -79,7 +79,7 @@ class HeightMonitor {
   /// @return reports of layers that are now known to have been missed
   LayerHeightReports add(const std::vector<Point3>& points);
 
-  /// Calls `move` with the height where the nozzle tip was, then `add` with the profile.
+  /// Calls `move` with the height of the nozzle tip, then `add` with the profile.
   LayerHeightReports insert(const std::vector<Point3>& points, double nozzle_height);
 
   /// Ends the scan under way, if there is one, even if the nozzle is still at its height.

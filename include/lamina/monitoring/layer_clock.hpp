@@ -17,8 +17,8 @@ namespace lamina {
 /// @param bed_from_part  translation [mm]
 Eigen::Isometry3d heightsFromPart(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// A tracker that tells from the heights of the nozzle which layer is being scanned. Only layers of the
-/// toolpath that have a scan pass count, each once and in ascending order.
+/// Determines from the heights of the nozzle which layer is being scanned. Only layers of the toolpath that
+/// have a scan pass count, each once and in ascending order.
 class LayerClock {
  public:
   /// @param heights_from_part  frame whose z is the layers' normal (`heightsFromPart`); translation [mm]

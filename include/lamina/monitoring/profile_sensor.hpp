@@ -22,20 +22,20 @@ struct ProfileSensorSettings {
   double range_mm = 40.0;      ///< depth of the measuring range, half before and half beyond the stand-off
   double noise_mm = 0.01;      ///< standard deviation along z
   int seed = 1;                ///< of the random numbers of noise and defects
-  // Defects of the sensor; the defaults are those of a sensor without.
+  // Defects of the sensor; by default it has none.
   double noise_correlation = 0.0;  ///< of the noise, from one point to the next
   double lateral_noise_mm = 0.0;   ///< standard deviation of points along the line of light
   double time_offset_s = 0.0;      ///< stamp less true time
   double stamp_jitter_s = 0.0;     ///< standard deviation of time stamps
-  double spray_rate = 0.0;         ///< share of points that lie, as by spray, between sensor and surface
+  double spray_rate = 0.0;         ///< share of points between sensor and surface, as from spray
   double mirror_rate = 0.0;        ///< share of rays that give a second point, behind the surface
   double dropout_rate = 0.0;       ///< share of points that are missing
   double bias_mm = 0.0;            ///< added to depths
   double drift_mm_h = 0.0;         ///< added to depths per hour
-  /// Where the sensor is, off where it is thought to be: along its line, across it, along its beam; empty or
-  /// three values.
+  /// Displacement of the sensor from its assumed position: along its line, across it, along its beam; empty
+  /// or three values.
   std::vector<double> moved_mm = {};
-  double moved_at_s = 0.0;  ///< time from which on it is there
+  double moved_at_s = 0.0;  ///< time from which on it is displaced
 };
 
 /// Adds the keys sensor.*.
@@ -63,7 +63,7 @@ class ProfileSensor {
     return measure(sourceOf(surface), bed_from_sensor, highest, now_s);
   }
 
-  /// By how much the time stamp of the next profile is later than its true time [s].
+  /// Error of the next profile's time stamp: time stamp less true time [s].
   double stampError();
 
  private:

@@ -48,8 +48,8 @@ struct ProfileUse {
 /// the layer's scan height from the last pose before the profile to the next one. Therefore the same poses
 /// and profiles give the same reports, whatever their delays.
 ///
-/// Of the poses that no profile has come up to, the latest `kMostPoses` are kept: without a sensor they come
-/// all the same. A profile that is older than those passed by is late.
+/// Of the poses not yet reached by a profile, the latest `kMostPoses` are kept: poses also come without a
+/// sensor. A profile older than the dropped poses is late.
 class StampedHeights {
  public:
   static constexpr std::size_t kMostPoses = 500'000;

@@ -18,8 +18,8 @@ struct AskedValue {
 };
 
 /// The value that signals require of a channel. A level that the signals do not state follows from the flow
-/// if the channel is one of wire or screw with the data for it, and is the nominal value otherwise. A value
-/// of 0 is off.
+/// if the channel is a wire or screw with the data for it; otherwise it is the nominal value. A value of 0 is
+/// off.
 AskedValue askedOf(const OutputChannel& channel, const ProcessSignals& signals);
 
 /// Finds the value to be sent to a channel now so that its effect keeps to the plan: the value planned for

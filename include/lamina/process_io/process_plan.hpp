@@ -26,8 +26,8 @@ struct ProcessChunk {
 
 /// The planned process over absolute time, as far as it is known. A chunk replaces, from its first point on,
 /// what was planned before. Between the end of one chunk and the begin of the next nothing is known. A chunk
-/// is valid for at most `kLongestHold` behind its last point, whatever it states: from there on its values
-/// are merely held, and nobody may be left to end them.
+/// is valid for at most `kLongestHold` behind its last point, whatever it states: after that its values are
+/// merely held, and their sender may be gone.
 class ProcessPlan {
  public:
   static constexpr double kMeet = 1e-3;        ///< [s] chunks with at most this time between them adjoin

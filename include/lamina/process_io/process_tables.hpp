@@ -34,7 +34,7 @@ const char* nameOf(ProcessQuantity quantity);
 /// Whether the quantity switches or powers the beam.
 constexpr bool isBeam(ProcessQuantity quantity) { return quantity <= ProcessQuantity::LaserPower; }
 
-/// An output of a device. The raw value that it is sent is scale * value + offset.
+/// An output of a device. The raw value sent is scale * value + offset.
 struct OutputChannel {
   std::string name;
   ProcessQuantity quantity = ProcessQuantity::LaserPower;
@@ -49,9 +49,9 @@ struct OutputChannel {
   double slew_per_s = 0.0;   ///< greatest change in a second between `low` and `high`; 0 for no limit
   double dead_time_s = 0.0;  ///< time from sending a value to the begin of its effect
   double lag_s = 0.0;        ///< time constant of the effect after the dead time
-  /// Diameter of the wire from which the wire's speed follows by the flow; 0 if it does not follow.
+  /// Diameter of the wire, for computing its speed from the flow; 0 if it is not computed.
   double wire_diameter_mm = 0.0;
-  /// Table from which a screw's speed follows by the flow: rpm, mm³ per revolution, rpm, mm³ ...
+  /// Table for computing a screw's speed from the flow: rpm, mm³ per revolution, rpm, mm³ ...
   std::vector<double> screw;
   int fault_register = -1;  ///< register of a Modbus device's own value for a lost link; -1 for none
 };
@@ -64,7 +64,7 @@ enum class InputCheck : std::uint8_t {
   Ready,    ///< must be `least` or more at all times; otherwise 5102
 };
 
-/// An input of a device. The raw value that is read is scale * value + offset.
+/// An input of a device. The raw value read is scale * value + offset.
 struct InputChannel {
   std::string name;
   std::string device;

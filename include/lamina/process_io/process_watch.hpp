@@ -57,7 +57,7 @@ class InputWatch {
 
   const std::vector<InputChannel>& inputs() const { return inputs_; }
 
-  /// @param measured  of each input [unit of its channel]; NaN if it is not read, which is not checked
+  /// @param measured  of each input [unit of its channel]; NaN if it is not read, and then not checked
   void look(const std::vector<double>& measured, const std::vector<ChannelDrive>& drives, double now_s,
             RaisedAlarms& raised);
 
@@ -69,9 +69,9 @@ class InputWatch {
 /// Measures for how long no joint has moved.
 class StandstillWatch {
  public:
-  /// Positions of joints by name [m, rad]: all of a machine, or those that one of several sources reports. A
-  /// joint that is reported for the first time has not moved by that, nor has one whose position is no
-  /// number.
+  /// Positions of joints by name [m, rad]: all joints of a machine, or the joints that one of several sources
+  /// reports. A joint that is reported for the first time, or whose position is no number, does not count as
+  /// moved.
   void hear(const std::map<std::string, double>& positions, double now_s);
   /// Time without motion [s], counted from `since_s` at the earliest.
   double stillFor(double since_s, double now_s) const;

@@ -19,7 +19,7 @@ struct CyclicFault {
   enum class Kind : std::uint8_t {
     Starved,  ///< the points ended in motion, and no more arrived in time
     Late,     ///< a cycle was called too late
-    Step,     ///< a target was farther from the last one than the joint may move in the time
+    Step,     ///< a target was farther from the last one than the joint may move in between
   };
   Kind kind = Kind::Starved;
   std::size_t joint = 0;  ///< index of the joint, for Step
@@ -31,10 +31,10 @@ struct CyclicFault {
 std::string faultText(const CyclicFault& fault, const std::vector<DrivenJoint>& joints);
 
 /// Converts chunks of a trajectory into a target for each cycle of a controller, on cubic polynomials through
-/// their points and velocities. It brakes along the points, at a decreasing rate of time; only if the points
-/// end before it rests does it continue straight. If the points end in motion, it begins to brake early
-/// enough to rest before their end. Deterministic: the only times it uses are its arguments. `advance`
-/// allocates no memory. Not thread-safe.
+/// their points and velocities. It brakes along the points, at a decreasing rate of time; if the points end
+/// before it rests, it continues straight. If the points end in motion, it begins to brake early enough to
+/// rest before their end. Deterministic: the only times it uses are its arguments. `advance` allocates no
+/// memory. Not thread-safe.
 class CyclicPlayer {
  public:
   /// @param sink  controller whose `cycle` and `ahead` are used
@@ -44,7 +44,7 @@ class CyclicPlayer {
   /// Discards all points and faults, and rests at the robot's position.
   void begin(const JointValues& position);
 
-  /// Adds points; they replace earlier points at or after the time of the first of them.
+  /// Adds points, which replace earlier points from the time of the first new point on.
   /// @param now_s  by the clock of the points
   /// @throws InvalidInput naming joint, value and bound, if a point exceeds the limits or the speed of a
   ///   joint, times do not ascend, all points are in the past, the first is not at the present or planned
@@ -54,7 +54,7 @@ class CyclicPlayer {
   void brake() { is_brake_requested_ = !points_.empty(); }
 
   /// The target of the newest cycle that is due; null if it was returned already.
-  /// @param due_s  time at which the first cycle was due for which there was no call yet
+  /// @param due_s  time at which the first cycle without a call was due
   /// @param now_s  present time, at or after `due_s`
   const CyclicTarget* advance(double due_s, double now_s);
 

@@ -16,7 +16,7 @@ struct JointTarget {
 
 /// What a controller gets in a cycle.
 struct CyclicTarget {
-  std::int64_t cycle = 0;  ///< number of the cycle, from 1; numbers that are left out were missed
+  std::int64_t cycle = 0;  ///< number of the cycle, from 1; a gap in the numbers means missed cycles
   JointTarget now;         ///< for this cycle
   JointTarget ahead;       ///< planned for the time `CyclicSink::ahead` later
 };

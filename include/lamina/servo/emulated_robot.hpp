@@ -35,8 +35,8 @@ struct EmulatedRobotSettings {
   std::uint64_t seed = 1;  ///< of jitter and loss
 };
 
-/// Emulates a robot of Universal Robots: accepts a program, connects back, and follows targets as the program
-/// would, in a thread of its own. It connects to addresses of the loopback interface only. If its thread is
+/// Emulates a robot of Universal Robots: accepts a program, connects back, and follows targets like the
+/// program, in a thread of its own. It connects to addresses of the loopback interface only. If its thread is
 /// late, its cycles are delayed, not caught up.
 class EmulatedRobot {
  public:
@@ -55,7 +55,7 @@ class EmulatedRobot {
   ServojFollowing following() const;
   /// Whether its joints are at rest.
   bool isAtRest() const;
-  /// Ends its program, as the stop button of the robot would.
+  /// Ends its program, like the stop button of the robot.
   void stop();
 
  private:

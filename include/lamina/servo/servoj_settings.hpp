@@ -37,7 +37,7 @@ struct RobotAddress {
   std::string host = "127.0.0.1";  ///< IPv4 address of the robot
   int script_port = 30002;         ///< TCP port at which the robot accepts programs
   std::string bind = "127.0.0.1";  ///< IPv4 address of this host, to which the robot's program connects
-  int port = 50002;                ///< TCP port of this host, to which it connects; 0 for any free one
+  int port = 50002;                ///< TCP port of this host for the robot's program; 0 for any free one
   double report_silence_s = 0.1;   ///< time without a report after which the robot counts as lost
 };
 

@@ -31,14 +31,14 @@ enum class WatchedLines : std::uint8_t {
 };
 
 /// Watches during a job whether the machine keeps what its start-up has established: temperature of the bed,
-/// vacuum and homing (dryness is left to `StartupSession`). Only steps of the sequence are watched, by the
-/// reports of the machine; what it does not report is not judged. Inputs are commands of the program,
-/// replies and times. Times are machine times [s] and never go back.
+/// vacuum and homing (dryness is left to `StartupSession`). Only results of steps in the sequence are
+/// watched, from the machine's reports; conditions that the machine does not report are not judged. Inputs
+/// are commands of the program, replies and times. Times are machine times [s] and never go back.
 ///
-/// What the program itself ends is no loss. If it sets another target of the bed, the bed is watched from the
-/// time when that is first reached, and with the target 0 no more. Axes whose motors it switches off, and
-/// zones that it closes, are watched no more. If lines may be replaced, only the bed is watched, and any
-/// change of its target counts as one by the program.
+/// A condition that the program itself ends is no loss. If the program sets another bed target, the bed is
+/// watched again once the new target is first reached; with the target 0 it is no longer watched. Axes whose
+/// motors the program switches off, and zones that it closes, are no longer watched. If lines may be
+/// replaced, only the bed is watched, and any change of its target counts as the program's.
 class JobWatch {
  public:
   /// Begins to watch; every step of the sequence must be done.

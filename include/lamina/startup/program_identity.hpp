@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Length and checksum of a program, by which a complete program is told from a truncated one and from any
+/// Length and checksum of a program, which distinguish a complete program from a truncated one and from any
 /// other.
 struct ProgramIdentity {
   std::string name;  ///< path of a file, or id of a toolpath

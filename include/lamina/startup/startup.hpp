@@ -55,8 +55,8 @@ class Startup {
 
   /// Begins a step that the machine does.
   /// @throws InvalidInput if the step is not in the sequence
-  /// @throws Rejected if the operator does the step, it is running, a prerequisite is not satisfied, or the
-  ///   step is done and so is a step that depends on it
+  /// @throws Rejected if the operator does the step, it is running, a prerequisite is not satisfied, or both
+  ///   the step and a step that depends on it are done
   void begin(StartupStep step, double now_s);
   /// States that the operator has done a step, or has begun one that takes time (the dryer, the bed).
   /// @throws InvalidInput, Rejected as `begin`; Rejected if the machine does the step

@@ -31,10 +31,9 @@ struct SequencedStep {
 
 /// Makes the sequence that the settings describe; empty if there is none.
 ///
-/// @throws InvalidConfig naming key and reason if a name is unknown or given twice, a step is not after all
-///   that it needs or that `startup.after_*` names for it, a step needs one that is missing, a setting is out
-///   of its bounds, the machine is not asked for its state, or a machine that switches the vacuum does not
-///   report it
+/// @throws InvalidConfig naming key and reason if a name is unknown or given twice, a step precedes one that
+///   it needs or that `startup.after_*` names for it, a step needs a missing step, a setting is out of its
+///   bounds, the machine is not asked for its state, or a machine that switches the vacuum does not report it
 std::vector<SequencedStep> makeStartupSequence(const StartupSettings& settings);
 
 }  // namespace lamina

@@ -35,7 +35,7 @@ class StartupSession {
   /// Called with the report when it may have changed; from any thread, and possibly before the constructor
   /// has returned.
   using Observer = std::function<void(const StartupReport&)>;
-  /// Whether a job is still to begin; called from the thread that asks for it, now and then.
+  /// Whether a job is still to begin; called repeatedly, from the thread that requests the job.
   using MayGoOn = std::function<bool()>;
 
   /// @throws InvalidConfig as `makeStartupSequence`, or if a code of the settings cannot be streamed
@@ -51,8 +51,8 @@ class StartupSession {
   /// Whether a step is in the sequence and not skipped.
   bool awaits(StartupStep step) const;
 
-  /// Begins a step, or, if none is given, all steps in order that can be run without the operator. Returns at
-  /// once.
+  /// Begins a step; if none is given, begins in order all steps that can be run without the operator. Returns
+  /// at once.
   /// @throws InvalidInput, Rejected as `Startup::begin`; Rejected if a job or another step is under way, or
   ///   there is nothing to run
   void run(std::optional<StartupStep> step);
@@ -69,22 +69,22 @@ class StartupSession {
   bool isBusy() const;
 
   /// Checks the machine and lends its port to a job until `endJob`. Gives up, and stops a check under way, as
-  /// soon as the job is not to begin any more.
+  /// soon as the job is no longer to begin.
   /// @throws Rejected naming the first step that is neither Done nor Skipped, and the reason; also if a step
   ///   is running, or the program is not the one that was transferred
   /// @throws DeviceError if the machine cannot be reached
-  /// @throws Cancelled if the job is not to begin any more
+  /// @throws Cancelled if the job is no longer to begin
   void beginJob(const ProgramIdentity& program, const MayGoOn& mayGoOn);
   /// States that the job begins to send a program, and watches the machine from now on (`JobWatch`). If lines
-  /// may be replaced, the program's commands are taken for sent somewhat too early. To be called, like
-  /// `losses` and `endJob`, from the job's thread, which may wait for the program's disk.
+  /// may be replaced, the program's commands count as sent somewhat too early. To be called, like `losses`
+  /// and `endJob`, from the job's thread, which may wait for the program's disk.
   void watchJob(const StreamableProgram& program, WatchedLines lines);
   /// The conditions of the start-up that the machine has lost during the job and that the program has not
   /// ended (`JobWatch`); empty without a sequence.
   /// @param status  present status of the job
   std::vector<JobLoss> losses(const StreamStatus& status);
-  /// Commands, one on each line, that ask the machine during a job for what it does not report by itself but
-  /// steps of the sequence depend on. Empty if there is nothing to ask.
+  /// Commands, one on each line, that ask the machine during a job for values that it does not report by
+  /// itself and that steps of the sequence need. Empty if there is nothing to ask.
   std::string questions() const;
   /// States that the machine has sent a line during the job.
   void heard(const FirmwareReply& reply);

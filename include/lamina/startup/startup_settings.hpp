@@ -12,11 +12,12 @@
 namespace lamina {
 
 /// Steps of a machine's start-up sequence, and their parameters. The numbers are those of the large-format
-/// machine [Garcia2024, section 3.5]; those that it does not give are listed in docs/streaming/startup.md.
+/// machine [Garcia2024, section 3.5]; numbers that the source does not give are listed in
+/// docs/streaming/startup.md.
 ///
-/// Times are machine times, which pass `speed_up` times as fast as wall time. A code is G-code; if that of a
-/// step is empty, the operator does the step by hand and confirms it. A label is the text in the machine's
-/// reports after which a value stands; if it is empty, the machine does not report the value.
+/// Times are machine times, which pass `speed_up` times as fast as wall time. A code is G-code; if the code
+/// of a step is empty, the operator does the step by hand and confirms it. A label is the text in the
+/// machine's reports after which a value stands; if it is empty, the machine does not report the value.
 struct StartupSettings {
   std::string sequence;  ///< names of the steps in order, separated by blanks; empty for no sequence
   std::string skip;      ///< names of steps of the sequence that need not be done

@@ -29,7 +29,7 @@ struct Approach {
 
 /// Plans the motion from rest at `from` to rest at `to`: the nozzle is lifted against its tool axis, the
 /// joints move in proportion to a position above `to`, and the nozzle is lowered along its tool axis. A lift
-/// that a joint's limits end, or that cannot be followed further, ends there.
+/// ends early where a joint reaches its limit, or where the joints cannot follow the nozzle.
 /// @throws InvalidConfig naming key, value and bound
 /// @throws InvalidInput if `from` and `to` are equal, or not values of the kinematic model's joints
 /// @throws Unreachable naming joint, value and limits, if one of them is outside the joints' limits

@@ -42,7 +42,7 @@ struct JogOrder {
 
 /// How far an order is carried out.
 struct JogAnswer {
-  double scale = 1.0;  ///< speed at the end of the lease, as a share of the one ordered
+  double scale = 1.0;  ///< speed at the end of the lease, as a share of the ordered speed
   std::string reason;  ///< why `scale` is less than 1; empty otherwise
 };
 
@@ -54,8 +54,8 @@ using JogGuard = std::function<std::string(const std::vector<JointValues>&)>;
 using JogClock = std::function<double()>;
 
 /// Moves joints by hand. Each order continues the running motion until the lease is over and then brings it
-/// to rest, with bounded accelerations of the joints. So every planned motion ends at rest, and if no further
-/// order arrives, because some link is broken, the motion ends smoothly by itself. Deterministic: all times
+/// to rest, with bounded accelerations of the joints. So every planned motion ends at rest: if no further
+/// order arrives, as after a loss of connection, the motion ends smoothly by itself. Deterministic: all times
 /// are those of the caller's clock.
 class Jog {
  public:
@@ -69,7 +69,7 @@ class Jog {
   /// limits of joints, for singularities, for the workspace and for the guard. If an order cannot be carried
   /// out at all, the motion brakes. If planning takes so long that the first point has passed, the order has
   /// no effect, and the running motion continues to its rest.
-  /// @param clock  used to measure how long planning takes; empty if that does not matter
+  /// @param clock  used to measure the duration of planning; empty if the duration does not matter
   /// @throws InvalidInput if values are not finite or not those of the model, or the machine cannot move its
   ///   nozzle in this way; the motion then brakes
   JogAnswer order(const JogOrder& order, double now_s, const JogGuard& guard = {},

@@ -19,8 +19,8 @@ struct JogSettings {
   double limit_margin_deg = 2.0;  ///< margin that is kept from the limits of a rotary joint
   double limit_margin_mm = 2.0;   ///< margin that is kept from the limits of a linear joint
   double least_margin_deg = 2.0;  ///< margin that motions of the nozzle keep from singularities
-  /// Distance beyond the point of rest over which the tip must be free of collisions, but no more than the
-  /// distance that it goes in 0.1 s.
+  /// Distance beyond the point of rest over which the tip must be free of collisions; at most the distance
+  /// that the tip covers in 0.1 s.
   double clearance_mm = 10.0;
   /// Box in which the tip may be: least x, y, z, greatest x, y, z [bed frame]; empty for no limit.
   std::vector<double> workspace_mm;

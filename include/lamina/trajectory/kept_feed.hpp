@@ -19,7 +19,7 @@ constexpr double kKeptFeed = 0.95;
 /// @param path        joint path of the toolpath
 double slowBeadShare(const JointTrajectory& trajectory, const JointPath& path, const Toolpath& toolpath);
 
-/// The same share where a firmware plans the speeds of the tip, as `estimateTime` takes it to.
+/// The same share if a firmware plans the speeds of the tip, as `estimateTime` assumes.
 /// @throws InvalidInput if a feed is not positive
 double slowBeadShare(const Toolpath& toolpath, const MotionLimits& limits);
 

@@ -25,11 +25,11 @@ struct NozzleState {
 /// Bounds of the number of states per second of a Cartesian trajectory [Hz].
 inline constexpr Bounds kNozzleRates{50.0, 500.0};
 
-/// The state of the nozzle by the state of the joints; so corners are rounded as the machine rounds them.
+/// The state of the nozzle, computed from the state of the joints: with corners as the machine rounds them.
 NozzleState nozzleState(const JointState& joints, const KinematicModel& model);
 
-/// The state of the nozzle on a machine with linear axes, as a toolpath is played. Of the process, only flow
-/// and levels are set. The angular velocity is 0, the velocity along the running motion.
+/// The state of the nozzle on a machine with linear axes while a toolpath is played. Of the process, only
+/// flow and levels are set. The angular velocity is 0, the velocity along the running motion.
 /// @param sample  from a player of that toolpath
 NozzleState nozzleState(const NozzleSample& sample, const Toolpath& toolpath,
                         const Eigen::Isometry3d& bed_from_part);
@@ -38,7 +38,7 @@ NozzleState nozzleState(const NozzleSample& sample, const Toolpath& toolpath,
 /// @param step_s  positive and finite
 std::vector<double> evenTimes(double begin_s, double end_s, double step_s);
 
-/// A rotation by the one of its two quaternions that is nearer to another quaternion.
+/// Of a rotation's two quaternions, the one nearer to another quaternion.
 Eigen::Quaterniond alignedWith(const Eigen::Quaterniond& turn, const Eigen::Quaterniond& other);
 
 /// The states of the nozzle at these times, in order, with signs of the quaternions that make them

@@ -16,7 +16,8 @@ enum class ProcessKind : std::uint8_t {
 };
 
 /// What is switched along a toolpath, and when. A lead is the time by which a device is switched before the
-/// start or end of a bead, to compensate for its delay; a negative lead switches it after that.
+/// start or end of a bead, to compensate for its delay; a negative lead switches the device after the start
+/// or end.
 struct ProcessSettings {
   ProcessKind kind = ProcessKind::Extruder;
   double laser_on_lead_s = 0.0;

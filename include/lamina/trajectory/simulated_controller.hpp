@@ -29,9 +29,10 @@ void describe(SettingsSchema& schema, ServoSettings& settings);
 
 /// Faults of a simulated controller.
 struct ControllerFaults {
-  std::optional<std::size_t> late_chunk;  ///< index, from 0, of a chunk that is late with all after it
-  double late_s = 0.0;                    ///< time by which it is late
-  std::optional<double> stop_s;           ///< time at which the joints stop at once, for good
+  /// Index, from 0, of a chunk that is late; later chunks wait for it.
+  std::optional<std::size_t> late_chunk;
+  double late_s = 0.0;           ///< time by which it is late
+  std::optional<double> stop_s;  ///< time at which the joints stop at once, for good
 };
 
 /// How well a simulated controller was supplied with points, and has followed them.
@@ -47,8 +48,8 @@ struct TrackingReport {
 };
 
 /// Simulates a controller that interpolates queued points by cubic polynomials through their positions and
-/// velocities, cycle by cycle, with joints that lag behind. If the points run out in motion it brakes, so
-/// hard that no joint passes its limits. Deterministic: time is that of the clock, and a cycle depends only
+/// velocities, cycle by cycle, with joints that lag behind. If the points run out in motion it brakes, hard
+/// enough that no joint passes its limits. Deterministic: time is that of the clock, and a cycle depends only
 /// on the points that were accepted before `advance` reaches it.
 class SimulatedController {
  public:
@@ -57,7 +58,7 @@ class SimulatedController {
   SimulatedController(const Clock& clock, const KinematicModel& model, const ServoSettings& settings,
                       const JointValues& start, const ControllerFaults& faults = {});
 
-  /// Queues points; they replace queued points at or after the time of the first of them.
+  /// Queues points, which replace queued points from the time of the first new point on.
   void accept(const TrajectoryChunk& chunk);
   /// Discards the queue, and brakes from the commanded positions of the last cycle.
   void brake();

@@ -15,8 +15,8 @@
 namespace lamina {
 
 /// Consecutive points of a trajectory, with times since the start of the job. The first point lies on the
-/// motion that was handed over before. The points replace all points that the controller has from the time of
-/// the first one on.
+/// motion that was handed over before. The points replace those of the controller from the time of the first
+/// one on.
 struct TrajectoryChunk {
   std::vector<JointState> points;
 };
@@ -64,7 +64,7 @@ class TrajectoryFeeder {
   /// a chunk.
   std::optional<TrajectoryChunk> next(double now_s);
 
-  /// Brakes to rest. Without effect unless running, or if the motion ends before it could react. A motion
+  /// Brakes to rest. Without effect unless running, or if the motion ends within the reaction time. A motion
   /// that is held at a layer stays held.
   void pause(double now_s);
   /// Continues after a pause; powder and gas settle first. A motion that was paused while it was held at a

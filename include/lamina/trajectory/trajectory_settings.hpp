@@ -8,10 +8,10 @@ namespace lamina {
 
 /// How joints are timed along a toolpath (docs/machines/timing.md).
 struct TrajectorySettings {
-  /// Greatest deviation of the tip at a rounded corner; with 0 it stops at corners.
+  /// Greatest deviation of the tip at a rounded corner; with 0 the tip stops at corners.
   double blend_tolerance_mm = 0.05;
-  /// Greatest deviation of the tool axis where its rotation is rounded; with 0 it stops where the rotation
-  /// changes.
+  /// Greatest deviation of the tool axis where its rotation is rounded; with 0 the nozzle stops where the
+  /// rotation changes.
   double blend_tolerance_deg = 0.5;
   /// Greatest deviation of the tip from the straight line between two waypoints.
   double line_tolerance_mm = 0.01;

@@ -45,7 +45,7 @@ struct ShownUnit {
   int stop_reason = 0;                    ///< alarm that stopped the unit; 0 for none
   std::string stop_message;
   std::optional<ShownJob> job;
-  bool resume_waits = false;   ///< whether a job was cut off, and Start says what becomes of it
+  bool resume_waits = false;   ///< whether a job that was cut off waits for Start to resume or discard it
   std::string resume_refusal;  ///< why that job cannot be resumed; empty if it can
   bool is_part_on_plate = false;
   PlcAccess plc_access = PlcAccess::Locked;
@@ -86,7 +86,7 @@ struct ShownMachine {
   double nozzle_degc = kNotMeasured;
   double bed_degc = kNotMeasured;
   double nozzle_target_degc = kNotMeasured;  ///< 0 while it is off
-  double bed_target_degc = kNotMeasured;     ///< the same
+  double bed_target_degc = kNotMeasured;     ///< 0 while it is off
   std::array<double, 3> position_m = {kNotMeasured, kNotMeasured, kNotMeasured};
   std::string failure;
 };
@@ -110,8 +110,8 @@ struct ShownManual {
   std::string holder;   ///< of the lease; empty if nobody has it
   double left_s = 0.0;  ///< of the lease, unless it is used again
   bool is_moving = false;
-  double scale = 1.0;              ///< share of the speed asked for that the limits let through
-  std::string reason;              ///< why that is less than 1, why nothing moves, or why the lease was lost
+  double scale = 1.0;  ///< speed within the limits, as a share of the requested speed
+  std::string reason;  ///< why `scale` is less than 1, why nothing moves, or why the lease was lost
   std::vector<ShownJoint> joints;  ///< none if no node that jogs is heard
 };
 
@@ -139,7 +139,7 @@ struct CellSnapshot {
   ShownUnit unit;
   std::vector<ShownAlarm> alarms;
   std::vector<ShownJob> queue;
-  std::optional<double> machine_heard_s;  ///< the same for the machine
+  std::optional<double> machine_heard_s;  ///< as `heard_s`, for the machine
   ShownMachine machine;
   std::vector<ShownStep> startup;
   std::optional<ShownLoop> loop;
@@ -159,7 +159,7 @@ struct LayerPreview {
   bool is_cut_short = false;  ///< whether there are more lines than are given here
 };
 
-/// The preview of a layer, as far as it is there.
+/// The preview of a layer, if it is available.
 struct ShownPreview {
   bool is_being_read = false;         ///< whether the program is still being read; ask again later
   std::optional<LayerPreview> layer;  ///< nothing if there is no such layer, or the program is being read
@@ -174,7 +174,7 @@ struct DeskAnswer {
     Unknown,   ///< no such job or alarm
     Silent,    ///< no answer, and the order was not carried out
     Unsure,    ///< no answer; the order may still be carried out
-    Overtaken  ///< dropped, since the unit is being stopped or such an order waits already
+    Overtaken  ///< dropped, since the unit is being stopped or another order of its kind waits already
   };
   Outcome outcome = Outcome::Done;
   int code = 0;  ///< a `CommandResult`, for commands, modes and alarms
@@ -186,7 +186,8 @@ struct DeskAnswer {
 struct DeskCommand {
   UnitCommand command = UnitCommand::Hold;
   std::string source;
-  std::optional<std::uint32_t> expected_sequence;  ///< refused if the unit's `sequence` is another
+  /// The command is refused if the unit's `sequence` differs.
+  std::optional<std::uint32_t> expected_sequence;
   int cut_off = 0;  ///< for Start: 1 resumes the job that was cut off, 2 discards it
 };
 
@@ -195,8 +196,8 @@ struct DeskProgram {
   std::string name;
   std::string part;
   std::string source;
-  std::string mesh = {};       ///< path of the mesh that it was sliced from; empty for none
-  std::string mesh_name = {};  ///< name of that file
+  std::string mesh = {};       ///< path of the mesh from which the program was sliced; empty for none
+  std::string mesh_name = {};  ///< name of the mesh file
 };
 
 /// A mesh that is sliced on the cell, and its program added to the queue.
@@ -206,7 +207,7 @@ struct DeskMesh {
   std::string part;
   std::string source;
   std::string material;  ///< name of a profile; empty for none
-  std::string process;   ///< the same
+  std::string process;   ///< name of a profile; empty for none
   std::vector<SettingText> settings = {};
 };
 

@@ -22,8 +22,8 @@ struct HistorySample {
   double fraction = 0.0;
 };
 
-/// The machine as it is now: temperatures that it reported more than 5 s ago, as before its last job ended,
-/// are `kNotMeasured`.
+/// The machine as it is now: temperatures that it reported more than 5 s ago, for example before its last job
+/// ended, are `kNotMeasured`.
 ShownMachine presentMachine(const CellSnapshot& seen, const CellTime& now);
 
 /// An event in the cell, described in a sentence.

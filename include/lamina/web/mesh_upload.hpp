@@ -10,11 +10,11 @@
 
 namespace lamina {
 
-/// The suffix of a mesh file's name, in lower case (".stl"); empty if the name is none of a mesh.
+/// The suffix of a mesh file's name, in lower case (".stl"); empty if the name is not that of a mesh.
 std::string meshSuffix(std::string_view name);
 
-/// What an upload of a mesh asks for. Fields of its form: `part`; `material` and `process`, names of
-/// profiles; `settings`, one KEY=VALUE on each line.
+/// The order that an upload of a mesh contains. Fields of its form: `part`; `material` and `process`, names
+/// of profiles; `settings`, one KEY=VALUE on each line.
 /// @throws InvalidInput if a profile is no plain name; if a line has no '='; if a key is one of machine.*,
 ///   which the cell decides; if a value names a file by its folder
 DeskMesh meshOf(const ReceivedUpload& upload, const std::string& source);

@@ -39,7 +39,7 @@ struct SiteSettings {
   FreeBytes free_bytes = freeForUploads;  ///< returns the free space on the disk of `upload_folder`
   std::string journal_folder;  ///< folder of the cell's journal, from which records of parts are read
   UploadPrint upload_print = UploadPrint::Wait;
-  std::string identity = {};  ///< text that no other page has, and that this one keeps over restarts
+  std::string identity = {};              ///< text that is unique to this page and remains over restarts
   std::vector<std::string> notices = {};  ///< shown on the page as long as the site runs
 };
 
@@ -66,8 +66,8 @@ constexpr std::uint64_t kMostSmallBody = 65536;
 /// cell. It does not handle sockets.
 ///
 /// A request is first admitted by its head, then answered with its body. The audit has an entry for every
-/// request that is to change something, and for refused requests, of which it takes a limited number per
-/// second. May be called from several threads.
+/// request that is to change something, and for a limited number of refused requests per second. May be
+/// called from several threads.
 class OperatorSite {
  public:
   /// A request that was admitted by its head.
@@ -93,12 +93,12 @@ class OperatorSite {
   /// Checks the head of a request: its target, origin, identity, rights, rate and size.
   /// @return the admitted request, or the answer that refuses it
   std::variant<Admitted, WebResponse> admit(const HttpHead& head, const CellTime& now);
-  /// Carries out an admitted request. One that changes something is carried out once for its
+  /// Carries out an admitted request. A request that changes something is carried out once for its
   /// `Idempotency-Key`, and repetitions get the same answer, unless it stops the unit or its answer is
   /// secret.
   WebResponse answer(const Admitted& admitted, const WebRequest& request, const CellTime& now);
 
-  /// Enters a request in the audit that broke off, or was refused before `admit`.
+  /// Enters in the audit a request that broke off, or was refused before `admit`.
   void noteRefusal(const HttpPeer& peer, const std::string& what, const std::string& reason,
                    const CellTime& now);
 

@@ -18,7 +18,7 @@ namespace lamina {
 
 /// Effect of an order on the unit.
 enum class OrderEffect : std::uint8_t {
-  Stops,  ///< stops it; a repeated order shares the answer of the one that waits
+  Stops,  ///< stops it; a repeated order shares the answer of the waiting one
   Moves,  ///< lets it move; `dropMoves` drops the order if it was not begun
   Other
 };
@@ -28,7 +28,7 @@ struct LaneOrder {
   std::string kind;  ///< "Start": at most one order of a kind waits at a time
   OrderEffect effect = OrderEffect::Other;
   std::string node;                  ///< name of the node, for the answer if the node gives none
-  double patience_s = 5.0;           ///< how long its answer is waited for
+  double patience_s = 5.0;           ///< longest wait for its answer
   std::function<DeskAnswer()> call;  ///< gives the order and returns the answer
 };
 
@@ -50,8 +50,8 @@ class OrderLane {
   ///   was begun, or is waited for by another caller, but has no answer in time
   DeskAnswer ask(LaneOrder order);
 
-  /// Drops orders that would move the unit and were not begun yet. One that has been begun cannot be taken
-  /// back: unless the answer shows that it was refused, `stop` is given once more after it.
+  /// Drops orders that would move the unit and were not begun yet. An order that was begun cannot be taken
+  /// back: unless its answer shows that it was refused, `stop` is given once more after it.
   /// @param stop  the order that stops the unit
   void dropMoves(const LaneOrder& stop);
 

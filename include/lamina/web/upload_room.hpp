@@ -43,7 +43,7 @@ class UploadRoom {
   explicit UploadRoom(std::string folder, FreeBytes free_bytes = freeForUploads);
 
   /// Reserves room for an upload of that size, and for its copy in the store of the cell.
-  /// @return nothing if the disk has too little beside what is reserved already
+  /// @return nothing if the disk has too little space besides the room already reserved
   std::shared_ptr<UploadPlace> reserve(std::uint64_t bytes);
 
  private:

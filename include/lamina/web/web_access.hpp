@@ -35,7 +35,7 @@ struct WebIdentity {
   std::string name;             ///< "anna"; "this host" on the open loopback interface
   std::optional<WebRole> role;  ///< nothing if the client is not identified
   std::int64_t token = 0;       ///< number of the token; 0 for none
-  bool is_local = false;        ///< from the loopback interface, and not passed on by a proxy that says so
+  bool is_local = false;        ///< from the loopback interface, and not through a proxy that declares itself
   std::string csrf;             ///< value that requests without a token must state in `X-CSRF-Token`
 };
 
@@ -71,11 +71,11 @@ class WebAccess {
   /// Identifies a client by `X-Api-Key`, `Authorization: Bearer`, the cookie of a session, or the loopback
   /// interface. A client with none of these, or with a cookie that is not valid, is not refused, but has no
   /// role.
-  /// @return a refusal if a token was shown that is not known: 401, or 429 if there were too many of these
+  /// @return a refusal if the presented token is unknown: 401, or 429 if there were too many unknown tokens
   std::variant<WebIdentity, WebRefusal> identify(const HttpHead& head, const CellTime& now);
 
-  /// Refuses a request that changes something if it was perhaps not sent by the page or a program itself: a
-  /// client that is identified without showing a token needs the CSRF token as well.
+  /// Refuses a request that changes something and that another site may have caused: a client that is
+  /// identified without a token also needs the CSRF token.
   std::optional<WebRefusal> againstForgery(const HttpHead& head, const WebIdentity& identity) const;
 
   /// Counts a request.

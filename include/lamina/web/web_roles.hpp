@@ -31,7 +31,7 @@ const char* toString(WebRole role);    ///< "operator"
 const char* toString(WebRight right);  ///< "operate"
 
 /// The role of that name.
-/// @throws InvalidInput if there is none; names those there are
+/// @throws InvalidInput if there is no such role; lists the roles
 WebRole webRole(const std::string& name);
 
 /// Whether a role has a right. Hold is treated as Operate here.

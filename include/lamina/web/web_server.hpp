@@ -42,15 +42,16 @@ struct WebServerSettings {
   WebTimeouts patience;
 };
 
-/// Listens for browsers and slicers. Each connection has a thread of its own, so that none waits for another;
-/// if a new one exceeds a limit, the connection that has waited longest for a request is closed for it, or,
-/// if none waits, one whose client takes its answer slowly; if there is neither, the new one is closed. If
-/// the limit is that of one client, only connections of that client are closed. WebSockets, pictures and
-/// uploads take at most three quarters of all connections, so that some remain for short requests.
+/// Listens for browsers and slicers. Each connection has a thread of its own, so that none waits for another.
+/// If a new connection exceeds a limit, the connection that has waited longest for a request is closed; if
+/// none waits, one whose client takes its answer slowly; if there is neither, the new one. If the limit is
+/// that of one client, only connections of that client are closed. WebSockets, pictures and uploads take at
+/// most three quarters of all connections, so that some remain for short requests.
 class WebServer {
  public:
   /// `site` outlives it.
-  /// @throws InvalidConfig if it would listen beyond the loopback interface without TLS and may not
+  /// @throws InvalidConfig if it is to listen beyond the loopback interface without TLS, and this is not
+  ///   allowed
   /// @throws FileError for TLS files that cannot be used
   /// @throws DeviceError if it cannot listen there, with address and reason
   WebServer(WebServerSettings settings, OperatorSite& site, LogSink log);

@@ -47,8 +47,8 @@ struct KeptRequest {
 /// @throws FileError if the system provides no random bytes
 std::string randomKey();
 
-/// Moves a store aside whose file is damaged, so that a new one can be begun. Nothing is deleted.
-/// @return its new name; empty if it is whole, or missing
+/// Moves a damaged store aside to make room for a new one. Nothing is deleted.
+/// @return the new name; empty if the store is whole, or missing
 /// @throws FileError if it can neither be read nor moved
 std::string moveDamagedStoreAside(const std::string& path);
 

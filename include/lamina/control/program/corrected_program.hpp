@@ -50,7 +50,7 @@ class ProgramCorrector {
   ProgramCorrector(const ProgramCorrector&) = delete;
   ProgramCorrector& operator=(const ProgramCorrector&) = delete;
 
-  /// Adds the map of a layer of which nothing has been read yet.
+  /// Adds the map of a layer whose lines have not been read yet.
   /// @throws InvalidInput as the constructor; if lines of the layer have been read
   void add(const CorrectionMap& map);
 

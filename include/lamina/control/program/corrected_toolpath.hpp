@@ -11,8 +11,8 @@ namespace lamina {
 
 /// A toolpath corrected for a process that feeds at a constant rate, such as wire or powder. There the amount
 /// deposited depends on the time spent on each millimetre: the feed becomes the planned one over 1 + amount.
-/// Speeds of a map are those of a feeder that is led; their amounts allow for them, so that here they change
-/// nothing. The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
+/// Speeds of a map apply to a feeder that is led. The map's amounts allow for them: here they change nothing.
+/// The shift moves the nozzle against its tool axis. Beads keep their planned sizes.
 ///
 /// Motions are split where the amount changes by more than `split_change`; the time that each piece
 /// takes is exact. A corrected closed path becomes an open one that ends at its start. Travels are moved so
@@ -28,8 +28,8 @@ namespace lamina {
 Toolpath correctedToolpath(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                            double split_change);
 
-/// Checks that the toolpath read from a program is the planned one. Between the waypoints of the planned one
-/// it may have further waypoints, on the straight line.
+/// Checks that the toolpath read from a program is the planned one. It may have further waypoints between the
+/// planned ones, on the straight line.
 /// @throws InvalidInput naming the first layer, path or waypoint that differs, with positions compared to
 ///   within `tolerance_mm`
 void requireSamePaths(const Toolpath& read, const Toolpath& planned, double tolerance_mm);

@@ -72,9 +72,9 @@ std::optional<RecordedJob> recordedJob(const std::string& folder);
 std::string appliedMapFile(const AppliedRow& row);
 
 /// Reads one map from a file, or all maps from a folder, named as `lamina estimate` and the streamer write
-/// them: `correction_<layer>.csv` and `layer_<layer>.csv`, with `_<sequence>` after the layer if there are
-/// several of it. If the folder has a record, only the maps that it names are read, each with its first line.
-/// The result ascends by layer and line.
+/// them: `correction_<layer>.csv` and `layer_<layer>.csv`, with `_<sequence>` after the layer if the layer
+/// has several maps. If the folder has a record, only the maps that it names are read, each with its first
+/// line. The result ascends by layer and line.
 /// @throws FileError if there is nothing to read at the path
 /// @throws InvalidInput naming the file: as `readCorrectionMap`; if a folder has neither map nor record; if
 ///   two maps are of one layer and no record says where each begins; if a map that was applied is missing, or

@@ -20,7 +20,7 @@ class FallenWatch {
   /// Forgets all points.
   void reset() { depths_mm_.clear(); }
 
-  /// The stretches of cells not seen, at least three bead widths long, of which a third of the cells at least
+  /// The stretches of cells not seen, at least three bead widths long, in which at least a third of the cells
   /// have such points. Shorter ones may be the ends of beads that lie a little off their place. The highest
   /// point of a cell counts.
   FallenLength fallen(const LayerCells& cells, const std::vector<CellEstimate>& estimates) const;

@@ -101,16 +101,16 @@ struct LoopCounts {
 };
 
 /// The loop over one print, driven by time stamps alone. Poses of the nozzle and clouds may arrive in any
-/// order within `monitor.reorder_s`. They are processed in the order of their time stamps, each once a pose
-/// or cloud has arrived whose stamp is later by that time. Therefore the same poses and clouds give the same
-/// maps to the last bit, whatever their delays.
+/// order within `monitor.reorder_s`. They are processed in the order of their time stamps, each as soon as a
+/// pose or cloud with a stamp later by `monitor.reorder_s` has arrived. Therefore the same poses and clouds
+/// give the same maps to the last bit, whatever their delays.
 ///
 /// Which cells are deposited follows from the progress of the nozzle along the toolpath. When the nozzle
 /// reaches the end of a layer, the layer is judged and the next one gets its map; the first layer gets its
 /// map at once. With `loop.trim` a layer under way gets further maps, of ascending sequence, for the cells
-/// that are not deposited yet. The first map of a layer has sequence 1. With it the loop of a free process
-/// that corrects gives the next layer its coasting map, of sequence 0: by what was learnt of the growth by
-/// then, without the error.
+/// that are not deposited yet. The first map of a layer has sequence 1. With it a correcting loop of a free
+/// process issues the coasting map of the next layer, of sequence 0: from the growth learnt by then, without
+/// the error.
 class LoopRun {
  public:
   /// @throws InvalidInput as `validate` of a toolpath; as `metalSplit` for its speeds; as `TaughtPart` for
@@ -178,8 +178,8 @@ class LoopRun {
   void passAll();
   /// Ends the print: judges the layer under way if all of it is deposited.
   void finish();
-  /// States that the print has ended, or was cut off: until `goOn` nothing is expected of the sensors, and no
-  /// condition of theirs stands.
+  /// States that the print has ended, or was cut off: until `goOn` nothing is expected of the sensors, and
+  /// none of their conditions stands.
   void interrupt();
   /// States that a print that was cut off goes on.
   void goOn() { is_interrupted_ = false; }
@@ -196,7 +196,7 @@ class LoopRun {
   const LoopStatus& status() const { return status_; }
   /// The last alarm, if there was one.
   const std::optional<RaisedAlarm>& lastAlarm() const { return last_alarm_; }
-  /// The alarms whose cause lasts and is there, of those raised so far.
+  /// The alarms raised so far whose cause lasts and is still present.
   const std::vector<RaisedAlarm>& standing() const { return standing_.all(); }
   const PrintPosition& place() const { return progress_.place(); }
   const LoopCounts& counts() const { return counts_; }

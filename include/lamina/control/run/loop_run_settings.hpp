@@ -23,7 +23,7 @@ struct CellCalibration {
   bool is_time_offset_trusted = false;
   double time_offset_sigma_s = 0.0;
   SettingTable other_time_offsets_s;  ///< of further sensors, by the frame of their clouds
-  /// Standard deviations of these; of a sensor without one it is `time_offset_sigma_s`.
+  /// Standard deviations of these offsets; `time_offset_sigma_s` for a sensor without one.
   SettingTable other_time_offset_sigmas_s;
   bool is_place_trusted = false;      ///< whether the sensor's pose at the nozzle is known
   double place_error_mm = 0.0;        ///< error of that pose along the path
@@ -63,7 +63,7 @@ struct LoopRunSettings {
 /// monitor.*.
 void describe(SettingsSchema& schema, LoopRunSettings& settings);
 
-/// By how much the stamps of further sensors are late, by the frame of their clouds [s].
+/// Time by which the stamps of further sensors are late, by the frame of their clouds [s].
 /// @throws InvalidConfig naming the entry if one is not a number from -60 to 60
 std::map<std::string, double> otherTimeOffsets(const SettingTable& offsets_s);
 

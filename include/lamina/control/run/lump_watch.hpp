@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// Detects a lump that is higher than the range in which points are assigned to cells. A height counts if
-/// three neighbouring points in each of three profiles in a row reach it; single points, as of spray, and
+/// three neighbouring points in each of three profiles in a row reach it; single points, such as spray, and
 /// single profiles do not count.
 class LumpWatch {
  public:

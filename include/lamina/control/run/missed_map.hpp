@@ -19,10 +19,10 @@ struct MissedMap {
   std::size_t layer = 0;
   double waited_s = 0.0;  ///< time for which the machine waited for the map before the layer
   std::string reason;     ///< in words; empty if the map did not arrive in time
-  /// The position from which on the map was applied after all. Without it none of the layer is deposited by
-  /// its map.
+  /// The position from which on the map was applied after all; nothing if no part of the layer is deposited
+  /// by its map.
   std::optional<PlaceOnLayer> held_from;
-  /// Whether what is deposited without its map is deposited by its coasting map, else as planned.
+  /// Whether the part deposited without the map follows the coasting map; otherwise it is as planned.
   bool is_coasting = false;
 };
 

@@ -29,20 +29,21 @@ struct ScannedLayer {
 ScannedLayer scannedLayer(const LayerCells& cells, const std::vector<double>& errors_mm,
                           const Eigen::Vector3d& normal);
 
-/// How far off their places a sensor shows things.
+/// Displacement of the surface as a sensor shows it.
 struct SeenShift {
   Eigen::Vector3d beside_mm = Eigen::Vector3d::Zero();  ///< beads, in the plane of the layer
-  double up_mm = 0.0;                                   ///< what nothing is laid on, along the normal
-  double most_mm = 0.0;  ///< what was expected at most of the one of both that is not 0
+  double up_mm = 0.0;    ///< places on which nothing is deposited, along the normal
+  double most_mm = 0.0;  ///< greatest expected value of the component that is not 0
 };
 
-/// Detects that a sensor has moved on its mount, by a scan of a plane layer against the scans before.
+/// Detects that a sensor has moved on its mount, by comparing a scan of a plane layer with the scans before.
 ///
-/// Sideways: high points belong on cells and low ones beside them. The shift is found that leaves fewest that
-/// contradict that, and counts if there were high points beside cells, of which a quarter is left at most
-/// (low ones on cells alone may be of what broke off); what points do not show, as a shift along beads whose
-/// ends are out of view, is taken for 0. Along the beam: places at least three layers below the top that were
-/// still over three scans rise or fall all alike. Growth of beads does not count.
+/// Sideways: high points belong on cells and low ones beside them. The result is the shift with the fewest
+/// points that contradict this. It counts if there were high points beside cells and at most a quarter of
+/// these remains; low points on cells alone may be where material broke off. A shift that the points do not
+/// show, such as one along beads whose ends are out of view, is taken as 0. Along the beam: places at least
+/// three layers below the top that were still over three scans all rise or fall alike. Growth of beads does
+/// not count.
 class MovedWatch {
  public:
   /// @param normal  of the layers, in the frame of the toolpath; unit

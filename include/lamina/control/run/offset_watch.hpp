@@ -12,19 +12,19 @@
 
 namespace lamina {
 
-/// The time offset of a sensor that is left after the calibrated one was removed.
+/// The remaining time offset of a sensor after removal of the calibrated one.
 struct OffsetLeft {
   double offset_s = 0.0;  ///< true time is the time stamp less this
   double sigma_s = 0.0;   ///< standard deviation of the offset
 };
 
 /// Estimates the time offset of a sensor from a layer that is scanned in both directions along its paths. An
-/// offset shifts the measured heights along the path, forwards on the way there and backwards on the way
-/// back. Therefore the two readings of a cell differ by twice the speed times the offset times the slope of
-/// the heights along the path.
+/// offset shifts the measured heights along the path, forwards on the outward pass and backwards on the
+/// return pass. Therefore the two readings of a cell differ by twice the speed times the offset times the
+/// slope of the heights along the path.
 ///
-/// It needs 32 bytes per cell from the first reading on. A layer of which the slopes do not exceed the noise,
-/// or that has fewer than eight cells that show the offset, gives no estimate.
+/// It needs 32 bytes per cell from the first reading on. A layer whose slopes do not exceed the noise, or
+/// with fewer than eight cells that show the offset, gives no estimate.
 class OffsetWatch {
  public:
   /// Begins a layer with that number of cells.

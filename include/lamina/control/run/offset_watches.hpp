@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// The time offset that is left of one of several sensors.
+/// The remaining time offset of one of several sensors.
 struct SensorOffset {
   std::string sensor;  ///< its name
   OffsetLeft left;     ///< its standard deviation includes that of the calibrated offset
@@ -22,8 +22,9 @@ struct SensorOffset {
   double sigmas() const;
 };
 
-/// Estimates the time offsets of several sensors over a layer (`OffsetWatch`), each from its own readings:
-/// the mean of two of which one has moved would show half of that, and of two that moved apart nothing.
+/// Estimates the time offsets of several sensors over a layer (`OffsetWatch`), each from its own readings. A
+/// mean over two sensors would show half the offset of one that has moved, and nothing of two opposite
+/// offsets.
 class OffsetWatches {
  public:
   /// Begins a layer with that number of cells.
@@ -33,7 +34,7 @@ class OffsetWatches {
   /// @param speed_mm_s  of that sensor along the cell's path
   void see(const std::string& sensor, std::size_t cell, double speed_mm_s, const CellReading& reading);
 
-  /// The offset of the sensor whose offset is the largest in standard deviations, of equal ones that first by
+  /// The offset of the sensor whose offset is the largest in standard deviations, of equal ones the first by
   /// name; none if no sensor gives an estimate.
   /// @param cells       of the layer that was begun
   /// @param calibrated  standard deviations of the calibrated offsets
@@ -44,7 +45,7 @@ class OffsetWatches {
   std::map<std::string, OffsetWatch> watches_;  ///< of sensors that have read the layer
 };
 
-/// Fills in what `afterWatch` judges of a time offset.
+/// Fills in the members by which `afterWatch` judges a time offset.
 void judge(const SensorOffset& offset, SensorWatch& seen);
 
 }  // namespace lamina

@@ -8,8 +8,8 @@
 namespace lamina {
 
 /// Tells from the time stamps of a sensor's clouds for how long no pose of the nozzle has come. If there is
-/// no pose yet, or the last one is far later than the clouds since their clock was set back, that is the time
-/// for which such clouds have come.
+/// no pose yet, or the last pose is far later than the clouds since their clock was set back, the time counts
+/// from the first such cloud.
 class PoseWatch {
  public:
   /// Time by which a cloud is older than the last pose only after a clock was set [s].

@@ -11,12 +11,13 @@
 
 namespace lamina {
 
-/// Tells for how long no pose of the nozzle has come for the clouds of any of several sensors, each of which
-/// may have a clock of its own (`PoseWatch`): one whose clock is wrong does not hide that poses come for
+/// Tells for how long no pose of the nozzle has come for the clouds of any of several sensors (`PoseWatch`).
+/// Each sensor may have a clock of its own: a sensor with a wrong clock does not hide that poses come for
 /// another.
 class PoseWatches {
  public:
-  /// @param silence_s  a sensor counts no longer once another one was heard for longer without it [s]
+  /// @param silence_s  a sensor no longer counts once another one was heard for longer than this without it
+  ///   [s]
   explicit PoseWatches(double silence_s) : silence_s_(silence_s) {}
 
   /// Forgets all sensors.

@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// Detects which of several sensors are stuck, each by its own clouds: one that is stuck beside a live one is
-/// not hidden by that.
+/// Detects which of several sensors are stuck, each by its own clouds: a live sensor does not hide a stuck
+/// one.
 class SensorWatches {
  public:
   /// Adds a cloud that was taken while the nozzle moved.
@@ -25,8 +25,8 @@ class SensorWatches {
   /// Whether a sensor that is not stuck has measured in a layer or the one before.
   bool isAnyLive(std::size_t layer) const;
 
-  /// Fills in what `afterWatch` judges of a stuck sensor, in a layer: of the sensor with the most equal
-  /// profiles.
+  /// Fills in the members by which `afterWatch` judges a stuck sensor in a layer, for the sensor with the
+  /// most equal profiles.
   void judge(std::size_t layer, SensorWatch& seen) const;
 
  private:

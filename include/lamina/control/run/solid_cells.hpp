@@ -13,7 +13,7 @@ namespace lamina {
 /// be solid now.
 class SolidCells {
  public:
-  /// Begins a new layer, of which no cell is left behind.
+  /// Begins a new layer, with no cell left behind.
   void begin() { left_.clear(); }
   /// States how many cells the nozzle has left behind at that time.
   void leaveBehind(std::int64_t stamp_ns, std::size_t cells) {

@@ -13,16 +13,16 @@ namespace lamina {
 /// gone. A watch that finds nothing does not end all of them: between two scans nothing is watched.
 class StandingConditions {
  public:
-  /// Adds an alarm that was raised, in the place of an earlier one of the same number; one whose cause does
-  /// not last is not taken.
+  /// Adds an alarm that was raised, in the place of an earlier one of the same number; an alarm whose cause
+  /// does not last is ignored.
   void raise(const RaisedAlarm& alarm);
-  /// Takes over those that stood when the loop was last known. Of a sensor that was stuck, and of a time
-  /// offset, watches that have just begun know nothing yet: they stand until a layer is measured.
+  /// Takes over the alarms that stood when the loop was last known. Those of a stuck sensor and of a time
+  /// offset stand until a layer is measured, since new watches know nothing of them yet.
   void resume(const std::vector<RaisedAlarm>& stood);
   /// A layer was measured: from now on the watches know of all sensors.
   void endResumption() { is_resumed_ = false; }
-  /// Ends what no longer holds by the watches: all if the loop does not run, a stuck sensor that gives
-  /// profiles again, a time offset for which the loop no longer coasts.
+  /// Ends alarms that no longer hold by the watches: all if the loop does not run, that of a stuck sensor
+  /// that gives profiles again, that of a time offset for which the loop no longer coasts.
   void settle(const LoopStatus& status, const StandingAlarms& watched);
   /// A cloud was read that has a pose, or a layer was judged: ends the silence, and the loss of poses, that
   /// is not watched now. Clouds alone do not end the silence of layers that were not measured.
@@ -31,7 +31,7 @@ class StandingConditions {
   /// Nothing is expected any more.
   void endAll() { conditions_.clear(); }
 
-  /// Those that stand, in the order in which they were raised.
+  /// The alarms that stand, in the order in which they were raised.
   const std::vector<RaisedAlarm>& all() const { return conditions_; }
 
  private:

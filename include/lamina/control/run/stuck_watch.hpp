@@ -10,8 +10,8 @@
 namespace lamina {
 
 /// Detects a sensor that is stuck: while it moves it gives several profiles in a row that are equal at each
-/// point, or that have no finite point other than zero. Several sensors that are all stuck, up to
-/// `kRemembered` of them, are detected as one is: each profile equals one of the last ones.
+/// point, or that have no finite point other than zero. Up to `kRemembered` sensors that are all stuck are
+/// detected as well: each profile equals one of the last ones.
 class StuckWatch {
  public:
   /// Number of different profiles that a further one is compared with.

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Contents of a RAPID `confdata`: which of its inverse solutions an arm uses to reach a target.
+/// Contents of a RAPID `confdata`: the inverse solution by which an arm reaches a target.
 struct AbbConfiguration {
   /// Quarter of a turn in which joint 1 is: 0 from 0 to 90 deg, 1 from 90 to 180 deg, -1 from -90 to 0 deg,
   /// ...
@@ -21,11 +21,11 @@ struct AbbConfiguration {
 /// configurations.
 bool isSixAxisArm(const KinematicModel& model);
 
-/// Whether the kinematic model is an arm, of however many axes.
+/// Whether the kinematic model is an arm, with any number of axes.
 bool isArm(const KinematicModel& model);
 
 /// The configuration of an arm at joint values by ABB's convention: at zero the forearm is level and the
-/// wrist straight. A value that is less than 1e-9 rad below the next quarter counts as lying in it.
+/// wrist straight. A value less than 1e-9 rad below the next quarter counts as in that quarter.
 /// @throws InvalidConfig if the kinematic model is no six-axis arm
 AbbConfiguration abbConfiguration(const KinematicModel& arm, const JointValues& values);
 

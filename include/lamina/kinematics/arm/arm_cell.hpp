@@ -16,7 +16,7 @@ struct ToolLoad {
   Point3 centre_mm = Point3::Zero();  ///< centre of gravity, in link tool0
 };
 
-/// Frames of an arm's cell that a controller needs: that of the tool on the flange, and that of the bed.
+/// Frames of an arm's cell that a controller needs: the tool on the flange, and the bed.
 struct ArmCell {
   /// From link tool0 to link nozzle [mm].
   Eigen::Isometry3d flange_from_nozzle = Eigen::Isometry3d::Identity();

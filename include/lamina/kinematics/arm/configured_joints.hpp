@@ -21,16 +21,16 @@ SixJoints sixJointsOf(const KinematicModel& arm, const JointValues& values);
 JointValues withSixJoints(const KinematicModel& arm, JointValues values, const SixJoints& joints);
 
 /// The joint values with which an arm reaches a pose in a given configuration: the inverse solution with that
-/// `cfx`, with joints 1, 4 and 6 in the quarters of `cf1`, `cf4` and `cf6`, within 1e-4 rad of rounding.
+/// `cfx`, with joints 1, 4 and 6 in the quarters of `cf1`, `cf4` and `cf6`, with a tolerance of 1e-4 rad for
+/// rounding.
 /// @param near  values of the external axes, which are kept
 /// @return nothing if the pose cannot be reached in that configuration; limits of joints are not checked
 std::optional<JointValues> configuredJoints(const KinematicModel& arm,
                                             const Eigen::Isometry3d& bed_from_nozzle,
                                             const AbbConfiguration& configuration, const JointValues& near);
 
-/// The joint values with which an arm reaches a pose from given values if its controller ignores
-/// configurations: of all inverse solutions and whole turns, those with the least change of the joint that
-/// changes most.
+/// The joint values with which an arm reaches a pose if its controller ignores configurations: of all inverse
+/// solutions and whole turns, the values whose greatest change of a joint is least.
 /// @param near  values from which the arm comes; those of the external axes are kept
 /// @return nothing if the pose is out of reach; limits of joints are not checked
 std::optional<JointValues> followingJoints(const KinematicModel& arm,

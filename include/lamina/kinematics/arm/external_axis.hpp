@@ -7,9 +7,9 @@
 
 namespace lamina {
 
-/// Direction in which a turntable that follows the toolpath keeps all tool axes leaning, so that the arm
-/// keeps its best posture ([Flores2018, section 6.1.2]: the work object keeps a fixed relation to the head's
-/// best heading).
+/// Direction in which all tool axes lean while a turntable follows the toolpath. The arm thereby keeps its
+/// best posture ([Flores2018, section 6.1.2]: the work object keeps a fixed relation to the head's best
+/// heading).
 struct TableHeading {
   /// Direction of tool axes about the table's axis [rad]. 0 is the direction from axis 1 of the robot to the
   /// table, away from the robot.
@@ -20,8 +20,8 @@ struct TableHeading {
 /// azimuth in the robot's base frame. With this value, all tool axes of a part whose walls lean outwards lean
 /// in the same direction, and the arm keeps its best posture.
 /// @param tool_axis  of unit length [bed frame]
-/// @param near  of the equivalent values the one nearest to this is returned [rad]; this one itself if the
-///   tool axis is parallel to the table's axis
+/// @param near  the equivalent value nearest to `near` is returned [rad]; `near` itself if the tool axis is
+///   parallel to the table's axis
 /// @throws InvalidConfig if the kinematic model is no arm, or has no rotary joint external_1 that
 ///   carries its bed
 double tableValue(const KinematicModel& arm, const Point3& tool_axis, const TableHeading& heading,

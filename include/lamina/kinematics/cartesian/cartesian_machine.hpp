@@ -29,9 +29,8 @@ bool isEndless(const MachineAxis& axis);
 /// Values of the machine's axes in the order of `CartesianMachine::axes` [mm].
 using AxisValues = Eigen::Vector3d;
 
-/// A machine with three linear axes, its nozzle held at a fixed orientation. A machine that has rotary joints
-/// as well, which a `KinematicModel` drives, is represented with these at zero. Arms and platforms are not
-/// represented.
+/// A machine with three linear axes, its nozzle held at a fixed orientation. Its rotary joints, which a
+/// `KinematicModel` drives, are held at zero. Arms and platforms are not represented.
 struct CartesianMachine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
@@ -47,7 +46,8 @@ struct CartesianMachine {
 std::vector<std::string> machineNames();
 
 /// The machine of one of `machineNames`.
-/// @throws InvalidConfig if there is none of that name, or it is an arm or platform; names those there are
+/// @throws InvalidConfig if there is no machine of that name, or it is an arm or platform; lists the
+///   available names
 CartesianMachine machineByName(const std::string& name);
 
 /// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor, and
@@ -74,7 +74,7 @@ Eigen::Affine3d axesFromBed(const CartesianMachine& machine);
 
 /// The affine map from the bed frame to the coordinates of programs. It is exactly the identity if the axes
 /// are at right angles: firmware then counts in coordinates of the bed, whether the bed or the nozzle moves.
-/// Otherwise it gives axis values, as firmware of belt printers expects them.
+/// Otherwise the map gives axis values, which firmware of belt printers expects.
 Eigen::Affine3d programFromBed(const CartesianMachine& machine);
 
 }  // namespace lamina

@@ -28,7 +28,7 @@ struct ConeShape {  ///< along z, its apex at + length / 2
 struct SphereShape {
   double radius_mm = 0.0;
 };
-/// A solid bounded by triangles, and points whose convex hull, grown by a margin, contains it.
+/// A solid bounded by triangles, and points whose convex hull, grown by a margin, contains the solid.
 struct MeshShape {
   std::shared_ptr<const Mesh> mesh;                 ///< [mm, frame of the body]
   std::shared_ptr<const std::vector<Point3>> hull;  ///< some of its vertices, at most 256
@@ -52,13 +52,13 @@ struct MachineBody {
 
 /// The `<collision>` elements of all links that the linear axes move relative to the bed, with rotary joints
 /// at zero, in alphabetical order of the links. A cylinder whose collision is named `cone` is read as the
-/// cone within it that has its apex at + z; readers that ignore names see the larger cylinder.
+/// inscribed cone with its apex at + z; readers that ignore names see the larger cylinder.
 /// @throws InvalidConfig naming the link, if a size is not positive, or a mesh is not given by file, is empty
 ///   or has more than two million triangles
 /// @throws FileError, InvalidMesh as `readMesh`
 std::vector<MachineBody> movingBodies(const CartesianMachine& machine);
 
-/// Support function of a shape: how far it reaches along a direction from the origin of its frame.
+/// Support function of a shape: its greatest extent along a direction, from the origin of its frame.
 /// @param direction  of unit length [frame of the body]
 /// @return [mm]
 double extent(const BodyShape& shape, const Point3& direction);

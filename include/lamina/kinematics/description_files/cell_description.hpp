@@ -6,11 +6,11 @@
 
 namespace lamina {
 
-/// The URDF of a cell that a cell file describes: an arm as its manufacturer describes it, and what surrounds
-/// it: `nozzle` at the end of its flange, `bed` on the world or on a positioner, a rail below the arm, and
-/// solid bodies. The axes of rail and positioner become joints external_1, external_2, ... in this order.
-/// Names of the positioner's links, joints and materials begin with positioner_. Bed, tool and bodies have
-/// the same shape for display as for collision.
+/// The URDF of the cell in a cell file: the manufacturer's description of an arm, with `nozzle` at the end of
+/// the flange, `bed` on the world or on a positioner, a rail below the arm, and solid bodies. The axes of
+/// rail and positioner become joints external_1, external_2, ... in this order. Names of the positioner's
+/// links, joints and materials begin with positioner_. Bed, tool and bodies have the same shape for display
+/// as for collision.
 ///
 /// The file is YAML (docs/machines/machines.md); paths in it are relative to its own folder.
 /// @param text  of the file
@@ -21,7 +21,7 @@ std::string cellDescription(const std::string& text, const std::string& path);
 /// Whether the file is a cell file by its name: .yaml or .yml.
 bool isCellFile(const std::string& path);
 
-/// Whether the file can be read and describes a cell at its top level, which a profile of a machine does not.
+/// Whether the file can be read and has a cell at its top level; a profile of a machine has none.
 bool holdsCell(const std::string& path);
 
 /// Description (URDF) of the machine in a file, which is a URDF (`readRobotDescription`) or a cell file.

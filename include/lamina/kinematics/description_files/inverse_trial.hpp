@@ -8,19 +8,19 @@
 
 namespace lamina {
 
-/// How well the inverse kinematics of an arm find poses that it is known to reach.
+/// Result of a test of an arm's inverse kinematics on poses within its reach.
 struct InverseTrial {
   std::size_t poses = 0;
-  std::size_t reached = 0;    ///< of these, poses with a solution, each of which leads back to the pose
-  std::size_t recovered = 0;  ///< of these, poses among whose solutions are the joints that they were made by
-  /// Whether a pose beyond any reach has no solution.
+  std::size_t reached = 0;    ///< poses with solutions, all of which lead back to the pose
+  std::size_t recovered = 0;  ///< of the reached poses, those whose solutions include the drawn joints
+  /// Whether a pose far out of reach has no solution, as it should.
   bool ends = false;
 
   bool isPassed() const { return reached == poses && ends; }
 };
 
-/// Draws joints within their limits, the same in every run, takes the pose of the nozzle with each, and
-/// solves for it. Solutions lead back within 1e-4 mm and 1e-7 rad.
+/// Draws joint values within their limits, the same in every run, and solves for the pose of the nozzle at
+/// each. A solution leads back to the pose if its own pose agrees within 1e-4 mm and 1e-7 rad.
 InverseTrial tryInverse(const KinematicModel& arm, std::size_t poses);
 
 }  // namespace lamina

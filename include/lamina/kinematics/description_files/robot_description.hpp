@@ -7,13 +7,12 @@
 
 namespace lamina {
 
-/// Reads a URDF as its manufacturer ships it, and makes it independent of its location: meshes of collision
-/// bodies get absolute `file://` names. Joints that mimic others and have no limits get some, which nothing
-/// uses.
+/// Reads a manufacturer's URDF, and makes it independent of the location of its file: meshes of collision
+/// bodies get absolute `file://` names. Mimic joints without limits get limits, which nothing uses.
 ///
 /// `package://NAME/rest` is searched in the given folders, then in the folders above the file, then in those
-/// of ROS_PACKAGE_PATH: each of these folders, and those directly within it. A folder is the package NAME if
-/// its package.xml says so or, if it has none, if its own name is NAME.
+/// of ROS_PACKAGE_PATH. In each case the folder itself and its direct subfolders are searched. A folder is
+/// the package NAME if its package.xml says so or, if it has none, if its own name is NAME.
 ///
 /// @param packages  folders that are searched first
 /// @throws FileError if the file cannot be read

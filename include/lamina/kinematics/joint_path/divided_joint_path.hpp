@@ -15,14 +15,13 @@ struct MotionDeviation {
 };
 
 /// Deviations of the motions, one for each waypoint of the joint path, for the motion that ends there. Zero
-/// where joint values are missing, at the start of a path, where a joint is wound back while depositing, and
-/// on a travel on which a rotary joint turns by more than `joints.max_turn_deg`, as nothing is required of
-/// such motions. A jump has its deviation, so that it gets divided.
+/// where no deviation limit applies: where joint values are missing, at the start of a path, where a joint is
+/// wound back while depositing, and on a travel on which a rotary joint turns by more than
+/// `joints.max_turn_deg`. Jumps keep their deviation, so that they are divided.
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
                                               const KinematicModel& model, const JointPathSettings& settings);
 
-/// Numbers of steps of each motion, as `divided` takes them, for the deviations to come within the
-/// tolerances.
+/// Number of steps of each motion, for `divided`, that brings the deviations within the tolerances.
 std::vector<int> stepsAgainst(const std::vector<MotionDeviation>& deviations, const MotionDivision& division);
 
 /// A toolpath divided finely enough that joints at constant speed lead the nozzle along it, and its joint
@@ -30,7 +29,7 @@ std::vector<int> stepsAgainst(const std::vector<MotionDeviation>& deviations, co
 struct DividedJointPath {
   DividedToolpath divided;
   JointPath joints;  ///< of the divided toolpath
-  /// Greatest deviations left; above the tolerances if `kMostDivisions` were not enough.
+  /// Greatest remaining deviations; above the tolerances if `kMostDivisions` were not enough.
   MotionDeviation greatest;
 };
 

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Reasons why a kinematic model cannot reach a waypoint, or cannot move there as the toolpath asks.
+/// Reasons why a kinematic model cannot reach a waypoint, or cannot run the toolpath's motion to it.
 enum class JointFault : std::uint8_t {
   OutOfReach,      ///< there is no inverse solution
   OutOfLimits,     ///< no inverse solution lies within the joints' limits

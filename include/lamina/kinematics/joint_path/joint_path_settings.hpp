@@ -41,7 +41,7 @@ struct JointPathSettings {
   YawChoice yaw = YawChoice::Free;
   int yaw_samples = 72;  ///< number of samples of the yaw over a whole turn
   int yaw_reach = 2;     ///< greatest change of the yaw from one waypoint to the next, in samples
-  /// Cost of a change of yaw [s²/rad²]; that of a joint is 1 / its greatest speed, squared.
+  /// Cost of a change of yaw [s²/rad²]; the cost of a change of a joint is (1 / its greatest speed)².
   double yaw_weight = 0.02;
   bool is_yaw_smoothed = true;  ///< whether the yaw is smoothed after the samples are chosen
   /// Number of samples of the redundancy of an arm of seven axes, over a whole turn; 1: it is held at 0.
@@ -63,21 +63,21 @@ struct JointPathSettings {
   /// Angle by which the tool axis of a five-axis machine may deviate from the toolpath's so that a rotary
   /// joint swings less.
   double swing_tolerance_deg = 0.0;
-  /// Greatest duration of a motion near a singularity, over that at its feed; a slower motion counts as a
-  /// standstill and is a fault.
+  /// Greatest duration of a motion near a singularity, as a multiple of its duration at its feed; a slower
+  /// motion counts as a standstill and is a fault.
   double max_slowdown = 100.0;
 
   MotionDivision division;  ///< applied by `planDividedJointPath`; `planJointPath` does not divide
 
   ExternalChoice external = ExternalChoice::Held;
-  double external_deg = 0.0;  ///< value at which rotary external axes are held, or with which a table starts
+  double external_deg = 0.0;  ///< value at which rotary external axes are held, or start value of a table
   double external_azimuth_deg = 0.0;  ///< azimuth of tool axes for `ExternalChoice::Follow`
   /// Half angle about straight down within which `ExternalChoice::Gravity` keeps tool axes.
   double external_cone_deg = 10.0;
   RailChoice rail = RailChoice::Held;
 
-  /// Offsets of the nozzles of tools, by number, from that of the model [mm, bed frame]; no setting of this
-  /// section. Tools beyond the list have none.
+  /// Offsets of the tools' nozzles from the model's nozzle, by number of the tool [mm, bed frame]; not one of
+  /// the keys joints.*. Tools beyond the list have no offset.
   std::vector<Point3> tool_offsets_mm;
 };
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// How finely motions are divided, so that joints that move at constant speed between waypoints keep the
-/// nozzle on the motion.
+/// How finely motions are divided. Joints that move at constant speed between waypoints then keep the nozzle
+/// on the motion.
 struct MotionDivision {
   double max_step_mm = 5.0;              ///< greatest length of a step
   double max_step_deg = 5.0;             ///< greatest rotation of the nozzle in a step
@@ -27,11 +27,11 @@ void describe(SettingsSchema& schema, MotionDivision& division);
 /// A toolpath whose motions are divided into steps, with the original waypoint of each waypoint.
 struct DividedToolpath {
   Toolpath toolpath;
-  /// Index of the original waypoint, by layer, path and waypoint: the one of the undivided path at which the
-  /// motion ends that the step belongs to. Layers and paths are the same in both.
+  /// Index of the original waypoint, by layer, path and waypoint: the end of the undivided motion that
+  /// contains the step. Layers and paths are the same in both toolpaths.
   std::vector<std::vector<std::vector<std::uint32_t>>> original;
 
-  /// The original waypoint, which reports name.
+  /// The original waypoint, for reports.
   WaypointIndex originalOf(const WaypointIndex& at) const {
     return {at.layer, at.path, original[at.layer][at.path][at.waypoint]};
   }
@@ -43,12 +43,12 @@ DividedToolpath undivided(Toolpath toolpath);
 /// Divides each motion into equal steps: points on the straight line, orientations at constant angular speed,
 /// and feed, bead and process values of the motion. Drops are kept where they are; the new waypoints have
 /// none. What is deposited does not change.
-/// @param steps  number of steps of each motion, at least 1, at the index of the waypoint where it ends;
-///   waypoints count in the order of the motion, in which a closed path has its waypoint 0 twice. The entry
-///   of the first waypoint of a path is not used
+/// @param steps  number of steps of each motion, at least 1, indexed by the waypoint at the end of the
+///   motion; waypoints count in the order of the motion, in which a closed path has its waypoint 0 twice. The
+///   entry of the first waypoint of a path is not used
 DividedToolpath divided(const DividedToolpath& from, const std::vector<int>& steps);
 
-/// Numbers of steps of each motion, as `divided` takes them, for none to exceed the greatest steps.
+/// Number of steps of each motion, for `divided`, with which no step exceeds the greatest steps.
 std::vector<int> stepsWithin(const Toolpath& toolpath, const MotionDivision& division);
 
 /// Divides the motions that are longer, or rotate the nozzle further, than the greatest steps.

@@ -8,14 +8,14 @@
 
 namespace lamina {
 
-/// Joints between stated ones where a controller leads the nozzle straight from waypoint to waypoint. Motions
-/// are divided as `planDividedJointPath` does; at the waypoints in between the joints are those of the
-/// inverse solution next to the waypoint before, and external axes move steadily. Motions from or to a
-/// waypoint without joints stay whole.
+/// Adds joint values between stated ones, for a controller that leads the nozzle straight from waypoint to
+/// waypoint. Motions are divided as by `planDividedJointPath`. Each waypoint in between gets the inverse
+/// solution nearest to the joint values of the waypoint before; external axes move at constant speed. Motions
+/// from or to a waypoint without joint values are not divided.
 /// @param stated  joints at the waypoints of `toolpath`, with their faults
 /// @param toolpath  [bed frame]
-/// @return with the same joints and faults at the waypoints stated, and a fault `out_of_reach` in front of
-///   them where a motion leaves the reach between two
+/// @return the path with the stated joints and faults, and a fault `out_of_reach` at each waypoint in between
+///   that is out of reach
 DividedJointPath alongStraightMoves(Toolpath toolpath, JointPath stated, const KinematicModel& model,
                                     const JointPathSettings& settings);
 

@@ -44,7 +44,7 @@ struct BuildSpace {
 };
 
 /// The build space of one of `kinematicModelNames`.
-/// @throws InvalidConfig if there is none of that name; names those there are
+/// @throws InvalidConfig if there is no machine or robot of that name; lists the available names
 BuildSpace buildSpaceByName(const std::string& name);
 
 /// The build space of a machine of linear axes, as `machineFromUrdf` reads it, or of an arm or platform. The

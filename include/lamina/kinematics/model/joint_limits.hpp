@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Tolerance on the limits of joint positions that a controller reports, for the rounding of limits on their
-/// way through it [mm, rad].
+/// Tolerance on the limits of joints for positions that a controller reports, as limits are rounded in the
+/// controller [mm, rad].
 constexpr double kJointLimitSlack = 1e-6;
 
 /// Describes the first joint that is beyond its limits or not a number: "joint a at 1.2 deg; must be within

@@ -42,18 +42,18 @@ struct InverseSolution {
   JointValues values;
 };
 
-/// Solutions for one pose, in order of their branches. Up to eight, which is the most that an arm has, need
-/// no memory from the heap.
+/// Solutions for one pose, in order of their branches. Up to eight, the most that an arm has, need no memory
+/// from the heap.
 using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
 
 /// Whether a kinematic model controls the rotation of the nozzle about its tool axis.
 enum class ToolAxisSpin : std::uint8_t {
-  Free,   ///< no: inverse solutions have only the tip and the tool axis of the pose asked for
-  Given,  ///< yes: inverse solutions have the whole pose
+  Free,   ///< no: inverse solutions agree with the tip and the tool axis of the pose only
+  Given,  ///< yes: inverse solutions agree with the whole pose
 };
 
-/// The angle that a pose of the nozzle leaves free in a redundant model, beside what `near` states. All
-/// values from -pi to pi are of one turn: joint values are continuous from one end to the other.
+/// The angle that a pose of the nozzle leaves free in a redundant model, beside what `near` states. The angle
+/// is periodic: joint values are continuous from pi to -pi.
 class Redundancy {
  public:
   virtual ~Redundancy() = default;
@@ -105,7 +105,7 @@ class KinematicModel {
 std::vector<std::string> kinematicModelNames();
 
 /// The model of one of `kinematicModelNames`.
-/// @throws InvalidConfig if there is none of that name; names those there are
+/// @throws InvalidConfig if there is no model of that name; lists the available names
 std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name);
 
 /// Reads a kinematic model from its URDF; its kind follows from its joints (docs/machines/kinematics.md).

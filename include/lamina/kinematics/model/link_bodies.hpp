@@ -32,9 +32,9 @@ struct LinkBodies {
   std::size_t bed = 0;  ///< index of the group that carries the part
   /// Pairs of groups with links that can collide.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  /// Solid links that are built to touch, the parent first: those that a joint connects, or several joints
-  /// that turn about one point without solid pieces in between, as a universal joint does. What else is fixed
-  /// to them can collide, as a fence on the root that carries an arm with the first link of this arm.
+  /// Solid links that are built to touch, the parent first: links connected by one joint, or by several
+  /// joints that turn about one point without solid pieces in between, as in a universal joint. Other links
+  /// fixed to them can collide: for example a fence on the root of an arm with the arm's first link.
   std::vector<std::pair<std::string, std::string>> neighbours;
   /// Links that are not checked against each other, as the description says by
   /// `<lamina_ignore link1="" link2=""/>`.
@@ -45,7 +45,7 @@ struct LinkBodies {
 /// other.
 bool areUnchecked(const LinkBodies& bodies, const std::string& a, const std::string& b);
 
-/// Whether that holds for any links of two groups.
+/// Whether any two solid links of two groups are not checked against each other.
 bool areUnchecked(const LinkBodies& bodies, const RigidGroup& a, const RigidGroup& b);
 
 /// Links with solid pieces that move against each other and are never checked: first neighbours, then those
@@ -54,7 +54,7 @@ std::vector<std::pair<std::string, std::string>> uncheckedLinks(const LinkBodies
 
 /// The `<collision>` elements of a machine or robot, as `movingBodies` reads them, in the order of the tree:
 /// parents before children, and these by their names.
-/// @throws InvalidConfig if it is no URDF, has no link `bed` or ignores one that it does not have; as
+/// @throws InvalidConfig if it is no URDF, has no link `bed` or ignores a link that it does not have; as
 ///   `movingBodies`
 LinkBodies linkBodies(const std::string& urdf);
 

@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// By how much the place where the sensor's viewing axis meets a surface moves for each millimetre that the
-/// surface lies lower, against `sensorOffset` [x and y of the layer]. Zero if the sensor looks square to the
-/// layer, and if the machine has none.
+/// Shift, from `sensorOffset`, of the point where the sensor's viewing axis meets a surface, per millimetre
+/// by which the surface lies lower [x and y of the layer]. Zero if the sensor looks square to the layer, and
+/// if the machine has none.
 /// @param bed_from_layers  the identity for layers that are level
 /// @throws InvalidConfig if the sensor does not look down on the layer
 Point2 sensorLean(const BuildSpace& space,

@@ -35,7 +35,7 @@ std::optional<Eigen::Isometry3d> poseNear(const RusPlatform& platform, const Cra
                                           const Eigen::Isometry3d& near);
 
 /// Forward kinematics of the platform as it is assembled: the pose that is reached from the home pose while
-/// the angles of the cranks change linearly from those at home to the ones asked for.
+/// the angles of the cranks change linearly from the home angles to the given ones.
 /// @throws Unreachable if there is no such pose: the legs cannot be closed, or come through a singularity
 Eigen::Isometry3d poseFromHome(const RusPlatform& platform, const CrankAngles& cranks);
 

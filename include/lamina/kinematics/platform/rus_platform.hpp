@@ -20,8 +20,8 @@ constexpr std::size_t kLegs = 6;
 /// Angles of the six cranks [rad].
 using CrankAngles = Eigen::Matrix<double, 6, 1>;
 
-/// Which of the two solutions of its crank a leg uses: the crank's angle compared with that of the line from
-/// the motor to the ball, seen along the motor's axis.
+/// The solution that a leg uses for its crank: the crank's angle compared with the angle of the line from the
+/// motor to the ball, seen along the motor's axis.
 enum class CrankBranch : std::uint8_t {
   Behind,  ///< smaller angle
   Ahead    ///< greater angle

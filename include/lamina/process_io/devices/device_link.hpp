@@ -45,7 +45,7 @@ class DeviceLink {
   DeviceLink(const DeviceLink&) = delete;
   DeviceLink& operator=(const DeviceLink&) = delete;
 
-  /// Gives values to be sent; they replace those that were not sent yet.
+  /// Gives values to be sent, in place of values that were not sent yet.
   /// @param raw  in the order of the device's table
   /// @param due_s  time by the clock at which they should be sent
   void send(std::vector<double> raw, double due_s);

@@ -35,7 +35,7 @@ class ProcessDevice {
  public:
   virtual ~ProcessDevice() = default;
 
-  /// Connects to the device, and checks as far as the device reports it what it does if the link is lost.
+  /// Connects to the device, and checks its behaviour on loss of the link, as far as the device reports it.
   /// @return a warning in words; empty if there is none
   /// @throws Disconnected if the device does not answer
   /// @throws DeviceError, with the report of the device, if the device would not go to safe values by itself

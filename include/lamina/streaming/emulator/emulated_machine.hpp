@@ -20,7 +20,7 @@ struct EmulatedPorts {
 };
 
 /// An emulated machine with Marlin firmware, reached at a pseudo-terminal and a TCP port; it runs in a thread
-/// of its own. Replies go to the one of the two that sent bytes last.
+/// of its own. Replies go to where the last bytes came from.
 class EmulatedMachine {
  public:
   /// @param observer  called from the machine's thread

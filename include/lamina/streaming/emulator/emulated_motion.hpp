@@ -31,8 +31,8 @@ struct ExecutedMotion {
 
   /// Position of the nozzle [mm, frame of the bed] at a machine time, which is clamped to the motion.
   Point3 positionAt(double time_s) const;
-  /// Machine time at which the nozzle has gone the share `part` of the way, from 0 at the start to 1 at the
-  /// end.
+  /// Machine time at which the nozzle has covered the share `part` of the distance, from 0 at the start to 1
+  /// at the end.
   double timeAt(double part) const;
 };
 

@@ -20,8 +20,8 @@ struct EmulatedSettings {
   double nozzle_heating_c_s = 5.0;
   double bed_heating_c_s = 2.0;
   double bed_limit_c = 1000.0;  ///< highest temperature that the heater of the bed reaches
-  bool moves_unhomed = true;    ///< whether axes move that are not homed, or whose motors were off since
-  bool has_dryer = false;       ///< whether a pellet dryer is heated, as Marlin's chamber (M141, M191, C:)
+  bool moves_unhomed = true;  ///< whether axes move that are not homed, or whose motors were off after homing
+  bool has_dryer = false;     ///< whether a pellet dryer is heated, as Marlin's chamber (M141, M191, C:)
   double dryer_heating_c_s = 0.1;
   int vacuum_zones = 0;          ///< number of vacuum zones, switched at the pins 1, 2, ... (M42, M43)
   double vacuum_time_s = 5.0;    ///< time constant of the pressure in a zone

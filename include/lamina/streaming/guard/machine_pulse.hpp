@@ -17,7 +17,7 @@ inline constexpr char kFollowsTrajectories[] = "follow_joint_trajectory";
 /// The state of a process that moves a machine. The process sends it periodically (its pulse), so that
 /// another process can stop the machine on its behalf if it is lost.
 struct MachinePulse {
-  /// Whether it has moved or switched on anything and would still have to stop that itself.
+  /// Whether the process has moved or switched on anything that it still has to stop.
   bool is_at_work = false;
   MachinePort port;  ///< port of the machine; its name may be that of the controller's action
   /// Name of the protocol, `auto` until it is known; or `kFollowsTrajectories`.

@@ -13,12 +13,12 @@ namespace lamina {
 struct MachineStopReport {
   bool is_confirmed = false;  ///< whether the machine has reported that it is at rest and its heaters are off
   std::string message;
-  bool has_begun = false;  ///< whether the first bytes of the stop were sent, by which the job is lost
+  bool has_begun = false;  ///< whether the first bytes of the stop were sent; the job is then lost
 };
 
-/// The bytes that are sent first, without line numbers and without waiting for answers, so that firmware that
-/// waits for a temperature also stops, as soon as it reads them: beam off, heaters off, and the end of all
-/// motions if the firmware has a command for it; a feed hold for grbl. The program is not read for them.
+/// The bytes that are sent first, without line numbers and without waiting for answers: beam off, heaters
+/// off, and the end of all motions if the firmware has a command for it; a feed hold for grbl. Firmware that
+/// waits for a temperature also stops as soon as it reads the bytes. The program is not read.
 /// @param machine  with unknown firmware it is treated as Marlin
 std::string urgentStopOf(const MachinePulse& machine);
 

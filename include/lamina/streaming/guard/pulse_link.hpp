@@ -13,8 +13,8 @@
 namespace lamina {
 
 /// Sends the pulses of this process to a Unix socket of this host, in a thread of its own, twenty times a
-/// second. As long as nobody listens, it tries to connect again and again. When the process ends, in whatever
-/// way, the system closes the connection.
+/// second. As long as nobody listens, it tries to connect again and again. However the process ends, the
+/// system closes the connection.
 class PulseSender {
  public:
   /// @param socket  path of the listener's socket; empty for sending nothing
@@ -56,7 +56,7 @@ class PulseListener {
   /// Waits until a pulse or the end of a connection arrives, and returns all that have arrived, process by
   /// process; empty after the time-out or `wake`. A connection that sends anything but pulses is closed.
   std::vector<HeardPulse> wait(double timeout_s);
-  /// Ends the call of `wait` under way, or else the next one; may be called from any thread.
+  /// Ends the present call of `wait`, or the next one if there is none; may be called from any thread.
   void wake();
 
  private:

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Function that stops a machine; `stopMachine` is the one for machines that read programs.
+/// Function that stops a machine; `stopMachine` for machines that read programs.
 using MachineStopper =
     std::function<MachineStopReport(const MachinePulse& machine, const std::function<void()>& begun)>;
 

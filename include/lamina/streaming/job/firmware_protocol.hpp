@@ -16,11 +16,11 @@
 
 namespace lamina {
 
-/// The progress of a job that an earlier session left unfinished and that is to be resumed. Lines are those
-/// of the program that carry a command, counted from 1; 0 for none.
+/// The progress of a job that an earlier session left unfinished and that is to be resumed. Line numbers
+/// count the program's lines with a command, from 1; 0 for none.
 struct UnfinishedLines {
   std::uint64_t taken_through = 0;  ///< last line that was acknowledged
-  std::uint64_t sent_through = 0;   ///< line after which none was ever sent
+  std::uint64_t sent_through = 0;   ///< no line after this one was ever sent
   std::string firmware_name;        ///< name that the machine has given; empty if it gave none
 };
 
@@ -31,8 +31,8 @@ struct StreamOrder {
   ReplyListener heard;  ///< may be empty
   /// Name that the machine has given, empty if it gave none; nothing if it was not asked yet.
   std::optional<std::string> firmware_name;
-  /// Number of the line before the program's first, for firmware that numbers lines; a resumed job is
-  /// recognised by it.
+  /// Number of the line before the program's first, for firmware that numbers lines; it identifies a resumed
+  /// job.
   std::uint64_t line_base = 0;
   std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins at its first line
   int answers_due = 0;  ///< number of answers that may still arrive, as a question was sent repeatedly

@@ -13,9 +13,9 @@ enum class LiveSetting : std::uint8_t {
   Flow,          ///< all extrusion [%]
   Babystep,      ///< further shift of the nozzle relative to the part [mm], positive upwards
   CancelPart,    ///< part that is no longer printed, by its index among those on the plate
-  PauseAtLayer,  ///< layer before whose first line the job holds, by its number
-  Rapid,         ///< speed of rapid motions [%]; grbl alone has it
-  Spindle,       ///< speed of the spindle, or power of the laser [%]; grbl alone has it
+  PauseAtLayer,  ///< number of the layer before whose first line the job holds
+  Rapid,         ///< speed of rapid motions [%]; only for grbl
+  Spindle,       ///< speed of the spindle, or power of the laser [%]; only for grbl
   Power,         ///< power of the laser [%], under the name that it has in driven toolpaths
 };
 
@@ -25,8 +25,8 @@ struct LiveChange {
   double value = 100.0;
 };
 
-/// Makes a change from the name of a setting and a value. Bounds are: feed, flow, power: those of `boundsOf`,
-/// in percent; babystep: -0.5 to 0.5 mm; cancel_part: 0 to 9999; pause_at_layer: 0 to 1000000; rapid: 25 to
+/// Makes a change from the name of a setting and a value. Bounds are: feed, flow, power: as `boundsOf`, in
+/// percent; babystep: -0.5 to 0.5 mm; cancel_part: 0 to 9999; pause_at_layer: 0 to 1000000; rapid: 25 to
 /// 100 %; spindle: 10 to 200 %. All but feed, flow and babystep must be whole numbers.
 /// @throws InvalidInput if there is no such setting, or the value is out of its bounds
 LiveChange liveChange(const std::string& name, double value);

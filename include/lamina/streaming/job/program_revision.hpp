@@ -11,20 +11,20 @@
 
 namespace lamina {
 
-/// Interface that changes the lines of a program, layer by layer, before they are numbered and sent, as for
-/// corrections by a scan. It serves one job and is called from the thread of that job.
+/// Interface that changes the lines of a program, layer by layer, before they are numbered and sent, for
+/// example to correct them after a scan. It serves one job and is called from the thread of that job.
 class ProgramRevision {
  public:
   virtual ~ProgramRevision() = default;
 
-  /// Whether it is decided how a layer is revised. A decision is final.
+  /// Whether the revision of a layer is decided. A decision is final.
   /// @param layer  number of the layer in the program
   virtual bool isKnown(std::int32_t layer) = 0;
-  /// Decides how a layer is revised by what is known at present; called after the longest wait.
+  /// Decides the revision of a layer from what is known at present; called after the longest wait.
   virtual void decide(std::int32_t layer) = 0;
-  /// A program that replaces the present one from a layer on that is not decided yet; nothing if the present
-  /// one continues. Once it is returned, this object revises the new program, and all later calls refer to
-  /// its lines and layers.
+  /// A program that replaces the present one from an undecided layer on; nothing if the present one
+  /// continues. After its return this object revises the new program: all later calls refer to the new lines
+  /// and layers.
   virtual std::optional<StreamableProgram> successor(std::int32_t /*layer*/) { return std::nullopt; }
   /// The record from which all lines returned so far can be made again; nothing if there is none, or it does
   /// not cover every line.
@@ -36,7 +36,7 @@ class ProgramRevision {
   virtual double waitTime() const = 0;
 
   /// The lines that replace a line of the program's text, separated by line feeds. It is called for the lines
-  /// in their order, and for those of a layer once that layer is decided.
+  /// in their order, and for the lines of a layer only once the layer is decided.
   /// @param number  number of the line in the text, from 1
   /// @throws InvalidProgram if the line cannot be changed
   virtual std::string revised(std::string_view line, std::uint64_t number) = 0;

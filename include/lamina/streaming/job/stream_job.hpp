@@ -48,10 +48,10 @@ struct StreamStatus {
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
   std::string message;  ///< last warning of the firmware, or its last echo of an unknown command
-  /// Warning from before the first line: in what this machine may run the program differently from what was
-  /// intended; empty if there is none.
+  /// Warning given before the first line: how this machine may deviate from the intended program; empty if
+  /// there is none.
   std::string warning;
-  std::string wait;  ///< person for whom the machine waits, and what ends that; empty if it waits for none
+  std::string wait;  ///< person for whom the machine waits, and what ends the wait; empty if there is none
   Failure failure;   ///< reason why the job was aborted
 };
 
@@ -83,8 +83,7 @@ class StreamJob {
   virtual bool pause(double now) = 0;
   /// Continues the job; in Starting it cancels a hold to come.
   /// @return false, without effect, unless the job is in Starting, Holding or Held; also if the machine
-  /// cannot
-  ///   continue, for example since its door is open
+  ///   cannot continue, for example because its door is open
   virtual bool resume(double now) = 0;
   /// Changes a setting of the running job, between two of its lines.
   /// @return empty if the change is accepted; else the reason in words: the firmware has no such setting, or
@@ -94,9 +93,9 @@ class StreamJob {
   }
   /// Sends the machine a question between two lines of the running job, without a line number. The job
   /// continues even if no answer comes.
-  /// @param command  one that changes nothing and is answered by `ok`
-  /// @return false if this protocol has no questions, the job is neither in Execute nor held, or the question
-  ///   before is not answered yet
+  /// @param command  command that changes nothing and is answered by `ok`
+  /// @return false if this protocol has no questions, the job is neither in Execute nor held, or the previous
+  ///   question is not answered yet
   virtual bool ask(const std::string& /*command*/, double /*now*/) { return false; }
   /// Begins a safe stop, after which the job is Aborted. Without effect once the job is over or is aborting.
   virtual void abort(const Failure& why, double now) = 0;

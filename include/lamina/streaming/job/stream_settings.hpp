@@ -16,14 +16,14 @@ enum class LinkKind : std::uint8_t {
   Reliable,  ///< no byte is lost, since flow control makes the sender wait
 };
 
-/// What happens at the start of a job if the machine has locked itself (grbl's alarm), by which its position
-/// may be lost.
+/// What happens at the start of a job if the machine has locked itself (grbl's alarm). Its position may then
+/// be lost.
 enum class UnlockPolicy : std::uint8_t {
   Never,  ///< the job is refused
   Once,   ///< the machine is unlocked, and the job is run
 };
 
-/// When a machine gets an emergency stop, by which it loses its position (Klipper).
+/// When a machine gets an emergency stop (Klipper). The machine then loses its position.
 enum class EmergencyStop : std::uint8_t {
   Never,        ///< never; the message of the failure suggests it
   Unconfirmed,  ///< if it has not confirmed the safe stop within `safe_stop_timeout_s`
@@ -41,7 +41,7 @@ struct StreamSettings {
   int window_lines = 0;
   LinkKind link = LinkKind::Auto;
   int max_line_bytes = 0;         ///< longest line that the firmware accepts; 0 for its usual limit
-  double connect_timeout_s = 10;  ///< time within which the machine has to answer at first
+  double connect_timeout_s = 10;  ///< time within which the machine must first answer
   /// Time without an answer, while lines are under way, after which the machine is asked for its last line;
   /// must exceed the interval of the firmware's busy messages.
   double probe_after_s = 2.5;
@@ -66,8 +66,8 @@ void describe(SettingsSchema& schema, StreamSettings& settings);
 LinkKind linkOf(const std::string& port);
 
 /// Number of lines that may be sent and not yet acknowledged: `window_lines`, or its default for the link. On
-/// a lossy link that default is 1: firmware that refuses a damaged line discards what it has received of
-/// later lines, and reads the rest of the line that is just arriving as one without number.
+/// a lossy link the default is 1: firmware that refuses a damaged line discards the received bytes of later
+/// lines, and reads the rest of a partly received line as a line without number.
 /// @param link  `Auto` counts as reliable
 int windowLines(const StreamSettings& settings, LinkKind link);
 

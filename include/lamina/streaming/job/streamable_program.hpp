@@ -34,8 +34,8 @@ class ProgramCursor {
   std::optional<ProgramLine> next();
   /// Number in the text, from 1, of the line of the last command.
   std::uint64_t textLine() const { return text_line_; }
-  /// Number of bytes of the text up to and including the line feed of that line; a last line without line
-  /// feed counts as if it had one.
+  /// Number of bytes of the text up to and including the line feed of the last command's line; a last line
+  /// without line feed counts as if it had one.
   std::uint64_t bytesRead() const { return bytes_read_; }
   /// The layer to which a command read next would belong.
   std::int32_t layer() const { return layer_; }
@@ -74,8 +74,8 @@ class StreamableProgram {
   /// The message about the first line that firmware of this protocol would misread; empty if there is none.
   /// @param protocol  one for which the program was checked
   std::string defectFor(const std::string& protocol) const;
-  /// The names of the parts that it defines for Klipper (EXCLUDE_OBJECT_DEFINE) before the first of them
-  /// begins, in its order; at most 10000. Known from when it was checked: reads nothing.
+  /// Names of the parts that the program defines for Klipper (EXCLUDE_OBJECT_DEFINE) before the first part
+  /// begins, in the program's order; at most 10000. Known from the check: nothing is read.
   const std::vector<std::string>& definedParts() const { return *defined_parts_; }
   /// The part of the text that messages may quote.
   const Quotation& quotation() const { return quotation_; }
@@ -86,8 +86,7 @@ class StreamableProgram {
   /// The whole text, unchanged.
   /// @throws FileError if the file is gone
   std::unique_ptr<std::istream> openText() const;
-  /// Whether the file is no longer as it was when it was checked: it was written to, cut, replaced or
-  /// removed.
+  /// Whether the file has changed since the check: it was written to, cut, replaced or removed.
   bool hasChanged() const;
 
  private:

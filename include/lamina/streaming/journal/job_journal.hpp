@@ -34,7 +34,7 @@ StreamJournal beginJournal(const std::string& path);
 /// @throws FileError if the copy cannot be written
 void keepUnfinished(const std::string& path);
 
-/// Reads a progress file, that of the last job at a port.
+/// Reads the progress file of the last job at a port.
 /// @throws FileError if there is no progress file, or it is damaged
 JournalledProgress readJournal(const std::string& path);
 
@@ -51,17 +51,17 @@ enum class ExecutionRecord : std::uint8_t {
 /// @throws InvalidInput if another job was streamed at the port since the execution was interrupted
 ExecutionRecord recordOf(const std::string& path, const std::string& execution);
 
-/// The journal by which the job of a progress file is resumed.
+/// The journal for resuming the job of a progress file.
 /// @throws FileError as `readJournal`
 /// @throws InvalidProgram naming the difference, if the job is that of another program
 /// @throws InvalidInput if the job was at another port, is complete or was aborted, or was corrected
-///   otherwise, naming the first correction map that differs
+///   differently, naming the first correction map that differs
 StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);
 
-/// The journal by which a print is followed that a print server runs by itself. `unfinished` is set if the
-/// progress file is that of this program at this port. The file may be missing or damaged, since the machine
-/// itself knows what it prints.
+/// The journal for following a print that a print server runs by itself. `unfinished` is set if the progress
+/// file is that of this program at this port. The file may be missing or damaged, since the machine itself
+/// knows what it prints.
 /// @throws FileError as `beginJournal`
 StreamJournal followJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);

@@ -31,12 +31,12 @@ struct JournalledJob {
   std::string execution = "";  ///< name that the client gave to this execution; empty for none
 };
 
-/// The progress of a job. Lines are those of the program that carry a command, counted from 1; 0 for none.
-/// For a print by a print server `taken_through` is the last line that it reported as read, and all lines
-/// count as sent.
+/// The progress of a job. Line numbers count the program's lines with a command, from 1; 0 for none. For a
+/// print by a print server `taken_through` is the last line that it reported as read, and all lines count as
+/// sent.
 struct JobProgress {
   std::uint64_t sequence = 0;      ///< number of the record; the newest has the highest
-  std::uint64_t sent_through = 0;  ///< line after which none was ever sent
+  std::uint64_t sent_through = 0;  ///< no line after this one was ever sent
   /// Last line that the machine has certainly accepted. The last acknowledged lines do not count, as their
   /// oks may be answers to something else.
   std::uint64_t taken_through = 0;
@@ -71,8 +71,8 @@ std::string encodeJob(const JournalledJob& job);
 /// The CRC with which the bytes of the job end.
 std::uint32_t crcOf(std::string_view encoded_job);
 
-/// Decodes a progress file: its job, and the newest complete record, so that the record before counts if a
-/// write was interrupted.
+/// Decodes a progress file: its job, and the newest complete record. If a write was interrupted, this is the
+/// previous record.
 /// @param name  name of the file, for messages
 /// @throws FileError if it is no progress file, or damaged
 JournalledProgress decodeJournal(std::string_view bytes, const std::string& name);

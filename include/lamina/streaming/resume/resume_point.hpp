@@ -14,10 +14,11 @@ namespace lamina {
 /// by a look at the part, since acknowledged lines need not have been deposited. Lines carry commands and
 /// count from 1.
 struct ResumePoint {
-  std::uint64_t line = 1;             ///< first line that the machine has not certainly accepted
-  std::optional<std::int32_t> layer;  ///< layer of that line by the program's comments; nothing before any
-  std::uint64_t layer_line = 1;       ///< first line of that layer
-  double height_mm = 0.0;             ///< z at the start of `line`, in the program's coordinates
+  std::uint64_t line = 1;  ///< first line that the machine has not certainly accepted
+  /// Layer of that line by the program's comments; nothing before the first layer.
+  std::optional<std::int32_t> layer;
+  std::uint64_t layer_line = 1;  ///< first line of that layer
+  double height_mm = 0.0;        ///< z at the start of `line`, in the program's coordinates
 };
 
 /// Finds the line at which a job can be resumed.

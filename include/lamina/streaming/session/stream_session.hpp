@@ -27,8 +27,8 @@ bool isPrintServer(const MachinePort& port);
 struct SessionOptions {
   /// Called with each line that the machine sends, from the session's thread; a print server sends none.
   ReplyListener heard;
-  /// The progress file, from `beginJournal` for a job that begins, `resumeJournal` for one that is resumed,
-  /// `followJournal` for a print that is followed.
+  /// The progress file, from `beginJournal` for a new job, `resumeJournal` for a resumed job, `followJournal`
+  /// for a followed print.
   StreamJournal journal;
   JobStart start = JobStart::New;  ///< used for a print server only; for other ports the journal decides
   /// Changes the lines before they are sent; null if they are sent unchanged. The progress of a job with a
@@ -75,8 +75,8 @@ class StreamSession {
   ///   answer is the status's `message`.
   std::string change(const LiveChange& change);
   /// Sends the machine questions between two lines of the job (`StreamJob::ask`); `SessionOptions::heard` is
-  /// called with the answers. A question is dropped if `StreamJob::ask` returns false, as while the one
-  /// before is not answered.
+  /// called with the answers. A question is dropped if `StreamJob::ask` returns false, for example while the
+  /// previous question is not answered.
   /// @param commands  commands, one on each line
   void ask(const std::string& commands);
   /// Requests a safe stop; the job ends in Aborted.

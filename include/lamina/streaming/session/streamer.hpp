@@ -21,8 +21,8 @@ namespace lamina {
 /// confirm, then to Aborted. A machine that has got no line of the program gets no safe stop, since it may be
 /// in use by others.
 ///
-/// Either no line is lost or run twice, or the job ends in Aborted. Each protocol ensures that in its own
-/// way.
+/// Either no line is lost or run twice, or the job ends in Aborted. Each protocol ensures this by its own
+/// means.
 class Streamer final : public StreamJob {
  public:
   /// @param heard  may be empty

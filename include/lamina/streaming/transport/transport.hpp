@@ -13,7 +13,8 @@ namespace lamina {
 /// Callbacks of a transport; they are called from the thread that runs its io_context.
 struct TransportEvents {
   std::function<void(std::string_view bytes)> received;
-  std::function<void(const std::string& why)> closed;  ///< called once: the other end or an error closed it
+  /// Called once, when the other end or an error has closed the link.
+  std::function<void(const std::string& why)> closed;
 };
 
 /// Interface of a link that carries bytes between host and machine.

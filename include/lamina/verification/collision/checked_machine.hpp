@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// A machine or robot, and what its joint paths are planned and checked with: the solid pieces of its links
-/// (`checkedBodies`) and the guard against its own links (`SelfCollisionGuard`). Where links are meshes of a
-/// maker these take seconds to make. Each is made when it is first asked for, and once for any number of
-/// plans and checks. Calls may come from several threads.
+/// A machine or robot, with the solid pieces of its links (`checkedBodies`) and the guard against its own
+/// links (`SelfCollisionGuard`), for planning and checking joint paths. With manufacturers' meshes both take
+/// seconds to make. Each is made at its first use, once for any number of plans and checks. Calls may come
+/// from several threads.
 class CheckedMachine {
  public:
   /// @param model  must outlive this

@@ -16,7 +16,7 @@ enum class ClearanceNeed {
 /// Whether and how a machine is checked for collisions.
 struct ClearanceSettings {
   ClearanceNeed need = ClearanceNeed::Turning;
-  /// Whether the tool axis leans less where the machine would collide otherwise.
+  /// Whether the lean of the tool axis is reduced where the machine would otherwise collide.
   bool raises_tool_axis = false;
   bool is_shown = false;       ///< whether the slicing node checks for collisions and shows them as markers
   double spacing_mm = 1.0;     ///< greatest distance between positions of the nozzle that are checked

@@ -48,23 +48,24 @@ struct JointClearanceReport {
 JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
                                          const ClearanceSettings& settings, Progress& progress);
 
-/// Joints on a way beside a toolpath, as from where a program begins to the part.
+/// Joint values on a motion beside a toolpath, for example from the start of a program to the part.
 struct JointPassage {
-  /// Index of the station of the joint path to which it leads; their number for a way from the last.
+  /// Index of the station of the joint path to which the passage leads; the number of stations for a passage
+  /// from the last.
   std::size_t before = 0;
   std::vector<JointValues> values;  ///< from the first on; empty where there are none
 };
 
-/// A collision on the way to one of the values of a passage.
+/// A collision on the motion to one of the values of a passage.
 struct PassageCollision {
   std::size_t passage = 0;
   std::size_t index = 0;  ///< of the value
   Collision collision;    ///< `at` is the station to which the passage leads, or the last
 };
 
-/// Checks ways beside the toolpath as `checkJointClearance` checks those along it: with what has been
-/// deposited when the station they lead to is set out for.
-/// @return the first collision on the way to each value that has any, in their order
+/// Checks motions beside the toolpath as `checkJointClearance` checks those along it: against the material
+/// deposited when the motion to the passage's station begins.
+/// @return the first collision on the motion to each value that has any, in their order
 /// @throws InvalidConfig as `checkJointClearance`
 std::vector<PassageCollision> checkJointPassages(const JointRun& run,
                                                  const std::vector<JointPassage>& passages,

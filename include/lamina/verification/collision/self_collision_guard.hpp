@@ -13,7 +13,7 @@ namespace lamina {
 
 class CollisionTable;
 
-/// Forbids joint values at which two links collide that have two driven rotary joints between them, such as
+/// Forbids joint values at which two links with two driven rotary joints between them collide, such as
 /// forearm and head of an arm.
 ///
 /// Tables with cells of 2 deg in the two joints state where the links collide; they are computed once, so

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// How far walls overhang. On a wall that leans outwards by an angle t from the direction in which layers are
+/// Overhang of walls. On a wall that leans outwards by an angle t from the direction in which layers are
 /// stacked, each layer of height h projects by h tan t beyond the one before; if that exceeds the width of a
 /// bead, the bead is deposited in air. Faces in the first layer rest on the bed, or on what replaces it, and
 /// do not overhang.

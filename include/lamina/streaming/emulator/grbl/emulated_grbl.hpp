@@ -50,13 +50,13 @@ struct EmulatedGrblSettings {
   std::string options = "[OPT:V,15,128]";  ///< answer to `$I`; need not agree with the capacities above
 };
 
-/// Emulated grbl 1.1 without a machine: it receives bytes and gives answers. A motion lasts as long as its
-/// length takes at its feed, without acceleration. It does no input or output and reads no clock; times are
+/// Emulated grbl 1.1 without a machine: it receives bytes and gives answers. The duration of a motion is its
+/// length over its feed, without acceleration. It does no input or output and reads no clock; times are
 /// passed in, in seconds since any start, and never go back.
 ///
 /// Supported: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30, and codes that would change nothing
-/// here; `$$`, `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X, and the overrides, of which only that of the spindle
-/// has an effect. The reported position advances only when a motion has ended.
+/// here; `$$`, `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X, and the overrides; only the spindle's override has an
+/// effect. The reported position advances only when a motion has ended.
 class EmulatedGrbl {
  public:
   /// Called with each line of G-code that was accepted, as it was received.

@@ -15,8 +15,8 @@ namespace lamina {
 class GrblFirmware final : public FirmwareProtocol {
  public:
   bool isSpokenBy(std::string_view firmware_name) const override;
-  /// Reports only what none of these firmwares accepts. What the connected machine does not support is
-  /// reported by the job, before its first line.
+  /// Reports only commands that none of these firmwares accepts. What the connected machine does not support
+  /// is reported by the job, before its first line.
   std::string defectOf(std::string_view command, const StreamSettings& settings) const override;
   /// True: the job finds the line at which to resume from the position of the machine.
   bool canResume() const override { return true; }

@@ -42,13 +42,14 @@ class MarlinFirmware : public FirmwareProtocol, public std::enable_shared_from_t
   virtual std::string reportPosition(int interval_s) const;
   /// The command that makes the firmware report its temperatures periodically; 0 for never.
   virtual std::string reportTemperatures(int interval_s) const;
-  /// Whether the firmware may send nothing for a long time while it runs a command, as while it heats.
+  /// Whether the firmware may send nothing for a long time while it runs a command, such as heating.
   virtual bool isBlocking(std::string_view command) const;
 
   /// The command that makes a change of the running job; nothing if the firmware has none for it.
   virtual std::optional<std::string> changed(const LiveChange& change) const;
 
-  /// Commands, sent without number before a safe stop, that make the firmware cease to wait, as for heat.
+  /// Commands, sent without number before a safe stop, that make the firmware stop waiting, for example for a
+  /// temperature.
   virtual std::vector<std::string> interruption() const;
   /// Commands that end all motions.
   virtual std::vector<std::string> stop() const;
