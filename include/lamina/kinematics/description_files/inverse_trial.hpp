@@ -13,6 +13,10 @@ struct InverseTrial {
   std::size_t poses = 0;
   std::size_t reached = 0;    ///< of these, poses with a solution, each of which leads back to the pose
   std::size_t recovered = 0;  ///< of these, poses among whose solutions are the joints that they were made by
+  std::size_t regular = 0;    ///< of the poses, those made by joints at least 1.15 deg from any singularity
+  std::size_t regular_recovered = 0;  ///< of these, poses among whose solutions are the joints
+  double tip_error_mm = 0.0;          ///< greatest distance of a solution's nozzle from its pose
+  double turn_error_rad = 0.0;        ///< the same of its rotation
   /// Whether a pose beyond any reach has no solution.
   bool ends = false;
 
