@@ -14,8 +14,7 @@
 #include "lamina/job/output_writer.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
-#include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_writer.hpp"
+#include "lamina/program/rapid/rapid_texts.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
@@ -126,13 +125,7 @@ StatedEquipment writtenEquipment(const CorrectArguments& arguments, const Correc
         .equipment;
   }
   const RapidProgram program(corrected, over_bed, settings.rapid);
-  std::vector<std::string> texts(program.moduleNames().size());
-  std::vector<RapidText> modules;
-  for (std::size_t m = 0; m < texts.size(); ++m) {
-    program.write(m, [&text = texts[m]](std::string_view piece) { text += piece; });
-    modules.push_back({program.moduleNames()[m], texts[m]});
-  }
-  return readEquippedRapid(modules, name).equipment;
+  return readEquippedRapid(RapidTexts(program).modules(), name).equipment;
 }
 
 std::string suffixOfFile(const std::string& path) { return std::filesystem::path(path).extension().string(); }

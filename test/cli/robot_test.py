@@ -47,6 +47,9 @@ class Robot(unittest.TestCase):
             self.assertEqual(report["built_in"], [])
             trial = json.loads(lamina("robot", urdf, "--poses", "50", "--json").stdout)["inverse"]
             self.assertEqual((trial["poses"], trial["reached"], trial["ends"]), (50, 50, True))
+            self.assertEqual(trial["regular_recovered"], trial["regular"])
+            self.assertLess(trial["tip_error_mm"], 1e-6)
+            self.assertLess(trial["turn_error_rad"], 1e-9)
             self.assertIn("inverse    50 of 50 poses reached", lamina("robot", urdf, "--poses", "50").stdout)
             self.lists_what_is_built_in(urdf)
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -165,6 +167,46 @@ TEST_F(StatedCheck, ATurntableIsTheMechanicalUnitOfTheWorkObject) {
             std::string::npos);
   EXPECT_NE(text.find("    ActUnit STN1;\n"), std::string::npos);
   EXPECT_TRUE(checked().isClear());
+}
+
+/// As on a controller whose first axes are taken: the table counts the other way there, from 90 deg.
+TEST_F(StatedCheck, AnExternalJointIsTheAxisThatTheSettingsName) {
+  job_.settings.joints.external = ExternalChoice::Follow;
+  const auto tableValues = [this] {
+    const auto model = kinematicModelOf(job_.settings.machine);
+    const auto motion = readStatedMotion(job_.output, job_.settings.program, *model);
+    std::vector<double> values;
+    values.reserve(motion->joints.values.size());
+    for (const JointValues& each : motion->joints.values) values.push_back(each[6]);
+    return values;
+  };
+  slice("irb_4600_turntable", "box.mod");
+  const std::string plain = readFile(job_.output);
+  const std::vector<double> planned = tableValues();
+  job_.settings.program.rapid.external_axes = "external_1=-eax_c+90";
+  slice("irb_4600_turntable", "box.mod");
+  const std::string text = readFile(job_.output);
+  EXPECT_NE(text.find("!# external external_1 eax_c -1 90\n"), std::string::npos);
+  const std::regex at_first(R"(MoveL \[.*,\[(-?[0-9.]+),9e\+09,9e\+09,9e\+09,9e\+09,9e\+09\]\])");
+  const std::regex at_third(R"(MoveL \[.*,\[9e\+09,9e\+09,(-?[0-9.]+),9e\+09,9e\+09,9e\+09\]\])");
+  std::sregex_iterator first(plain.begin(), plain.end(), at_first), third(text.begin(), text.end(), at_third);
+  ASSERT_GT(std::distance(first, std::sregex_iterator()), 10);
+  ASSERT_EQ(std::distance(first, std::sregex_iterator()), std::distance(third, std::sregex_iterator()));
+  for (; first != std::sregex_iterator(); ++first, ++third)
+    EXPECT_NEAR(std::stod((*third)[1]), 90.0 - std::stod((*first)[1]), 1.1e-3);
+  const std::vector<double> read = tableValues();
+  ASSERT_EQ(read.size(), planned.size());
+  for (std::size_t i = 0; i < read.size(); ++i) EXPECT_NEAR(read[i], planned[i], 2e-5);
+  EXPECT_TRUE(checked().isClear());
+  const auto note = std::find(lines_.begin(), lines_.end(), "!# external external_1 eax_c -1 90");
+  ASSERT_NE(note, lines_.end());
+  for (const char* other : {"!# external external_1 eax_b -1 90", "!"}) {
+    *note = other;
+    EXPECT_THROW(checked(), InvalidProgram) << other;
+  }
+  *note = "!# external external_1 eax_c 1 90";
+  checked();
+  EXPECT_NEAR(tableValues().front(), -planned.front(), 2e-5);
 }
 
 /// A controller leads the nozzle straight also where the joints at both ends of a move are far apart.

@@ -16,8 +16,7 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/robot_files.hpp"
 #include "lamina/kinematics/machine_choice.hpp"
-#include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_writer.hpp"
+#include "lamina/program/rapid/rapid_texts.hpp"
 #include "lamina/program/remaining_motion.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
@@ -48,16 +47,7 @@ StatedEquipment equipmentOfRapid(const StatedMotion& rest, const KinematicModel&
                                  const RapidSettings& settings) {
   const RobotMotion robot{model, rest.joints};
   const RapidProgram program(rest.toolpath, Eigen::Isometry3d::Identity(), settings, &robot);
-  std::vector<std::string> texts;
-  texts.reserve(program.moduleNames().size());
-  std::vector<RapidText> modules;
-  modules.reserve(program.moduleNames().size());
-  for (std::size_t m = 0; m < program.moduleNames().size(); ++m) {
-    std::string& text = texts.emplace_back();
-    program.write(m, [&text](std::string_view piece) { text += piece; });
-    modules.push_back({program.moduleNames()[m], text});
-  }
-  return readEquippedRapid(modules, "rest").equipment;
+  return readEquippedRapid(RapidTexts(program).modules(), "rest").equipment;
 }
 
 StatedEquipment equipmentInLanguage(const RobotResume& resume, const StatedMotion& rest,

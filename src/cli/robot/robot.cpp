@@ -47,6 +47,16 @@ double shownValue(const DrivenJoint& joint, double value) {
   return joint.kind == JointKind::Linear ? value : toDegrees(value);
 }
 
+void printTrial(const InverseTrial& trial) {
+  std::printf("inverse    %zu of %zu poses reached, %zu with the joints they were made by; %s\n",
+              trial.reached, trial.poses, trial.recovered,
+              trial.ends ? "none beyond any reach" : "one beyond any reach has a solution");
+  std::printf(
+      "inverse    %zu of %zu poses off singularities with the joints they were made by; all within %.1e mm "
+      "and %.1e rad\n",
+      trial.regular_recovered, trial.regular, trial.tip_error_mm, trial.turn_error_rad);
+}
+
 void printRobot(const Reported& robot) {
   const RobotReport& report = robot.report;
   const Eigen::Isometry3d& zero = report.base_from_flange_at_zero;
@@ -74,10 +84,7 @@ void printRobot(const Reported& robot) {
   for (const auto& [one, other] : robot.built_in)
     std::printf("unchecked  %s against %s, built into each other\n", one.c_str(), other.c_str());
   const InverseTrial& trial = robot.inverse;
-  if (trial.poses > 0)
-    std::printf("inverse    %zu of %zu poses reached, %zu with the joints they were made by; %s\n",
-                trial.reached, trial.poses, trial.recovered,
-                trial.ends ? "none beyond any reach" : "one beyond any reach has a solution");
+  if (trial.poses > 0) printTrial(trial);
   for (const std::string& trap : report.traps) std::printf("note       %s\n", trap.c_str());
 }
 
@@ -112,6 +119,10 @@ void printRobotJson(const Reported& robot) {
        {{"poses", robot.inverse.poses},
         {"reached", robot.inverse.reached},
         {"recovered", robot.inverse.recovered},
+        {"regular", robot.inverse.regular},
+        {"regular_recovered", robot.inverse.regular_recovered},
+        {"tip_error_mm", robot.inverse.tip_error_mm},
+        {"turn_error_rad", robot.inverse.turn_error_rad},
         {"ends", robot.inverse.ends}}},
   };
   std::printf("%s\n", json.dump(2).c_str());

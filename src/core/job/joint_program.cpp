@@ -26,8 +26,7 @@
 #include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
-#include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_writer.hpp"
+#include "lamina/program/rapid/rapid_texts.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
 
 namespace lamina {
@@ -279,15 +278,8 @@ std::optional<StatedMotion> motionByPoses(const JointProgram& planned, const Rap
                                           const Eigen::Isometry3d& bed_from_part) {
   const RobotMotion motion{*planned.model, planned.joints};
   const RapidProgram program(planned.toolpath, bed_from_part, settings, &motion);
-  std::vector<std::string> texts(program.moduleNames().size());
-  std::vector<RapidText> modules;
-  modules.reserve(texts.size());
-  for (std::size_t m = 0; m < texts.size(); ++m) {
-    program.write(m, [&text = texts[m]](std::string_view piece) { text.append(piece); });
-    modules.push_back({program.moduleNames()[m] + ".mod", texts[m]});
-  }
   try {
-    return readRapidMotion(modules, planned.toolpath.part_name, *planned.model);
+    return readRapidMotion(RapidTexts(program).modules(), planned.toolpath.part_name, *planned.model);
   } catch (const InvalidProgram&) {
     return std::nullopt;
   }

@@ -91,6 +91,7 @@ SettingProbe rapidValuesProbe() {
            {"rapid.configuration=joints"},
            {"rapid.fixed_configuration=0,0,1,0"},
            {"rapid.external_axis=5"},
+           {"rapid.external_axes=external_1=eax_b", "machine.name=irb_4600_turntable"},
            {"rapid.thesis_compat=true"},
            {"rapid.zone_mm=1", "rapid.zone=mine"},
            {"rapid.turn_speed_deg_s=300"},

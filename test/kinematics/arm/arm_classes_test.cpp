@@ -68,13 +68,14 @@ TEST(ArmClasses, ThreeParallelAxesHaveTwoFourOrEightSolutionsAndNoneIsMissed) {
 TEST(ArmClasses, WristsWithAnOffsetHaveAllTheirSolutions) {
   for (const auto& description : {test::asideWristArm(), test::raisedWristArm()}) {
     const auto arm = kinematicModelFromUrdf(description.urdf());
-    const Tally tally = tallyOf(*arm, 5000);
-    // Two roots may hide between samples of joint 6: two poses in a thousand.
-    EXPECT_LE(tally.missed, 10);
-    // Roots of a periodic function: an even number, but for those.
+    const Tally tally = tallyOf(*arm, 20000);
+    // Two roots may hide between samples of joint 6, above all where the reach ends between these: 2 of 1000.
+    EXPECT_EQ(tally.missed, 0);
+    // Roots of a periodic function: an even number, but for some of a pose whose other solutions are
+    // singular.
     int odd = 0;
     for (const auto& [count, poses] : tally.by_count) odd += count % 2 == 1 ? poses : 0;
-    EXPECT_LE(odd, 10);
+    EXPECT_LE(odd, 20);
     EXPECT_GE(tally.by_count.rbegin()->first, 8U);
     EXPECT_LE(tally.by_count.rbegin()->first, 16U);
   }

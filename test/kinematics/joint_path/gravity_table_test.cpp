@@ -59,6 +59,24 @@ TEST(GravityTable, AWallThatLeansAlikeAllAroundTurnsThePlateOnceAtOneSpeed) {
   }
 }
 
+// A wall of 150 mm radius that leans out by 0 to 60 deg, laid at 8 mm/s: 8 / 150 rad/s are 3.056 deg/s of the
+// plate, which never turns back and needs not turn while the lean is within the cone.
+TEST(GravityTable, AWallThatLeansMoreAndMoreTurnsThePlateOneWayAtTheSpeedOfItsBead) {
+  constexpr double kStepS = 150.0 * 5.0 * kDegree / 8.0;
+  const auto model = kinematicModelFromUrdf(test::tiltingArm());
+  std::vector<Station> wall;
+  for (int i = 0; i <= 72 * 30; ++i)
+    wall.push_back(stationAt(0.4 + 5.0 * i * kDegree, i / (72.0 * 30.0) * 60.0 * kDegree, kStepS));
+  const std::vector<TableValues> values = tableValues(gravityTable(*model), wall, {kCone, 0.0});
+  const double sense = values.back().turn > values.front().turn ? 1.0 : -1.0;
+  for (std::size_t i = 1; i < wall.size(); ++i) {
+    EXPECT_LT(offDown(*model, wall[i], values[i]), kCone + 1e-9);
+    EXPECT_GE(sense * (values[i].turn - values[i - 1].turn), -1e-9) << i;
+    if (i <= 72 * 10) continue;  // a lean of 20 deg
+    EXPECT_NEAR(sense * toDegrees(values[i].turn - values[i - 1].turn) / kStepS, 3.056, 0.05) << i;
+  }
+}
+
 TEST(GravityTable, NozzlesThatPointDownLeaveTheTableWhereItStood) {
   const auto model = kinematicModelFromUrdf(test::tiltingArm());
   for (const TableValues& values :

@@ -277,6 +277,17 @@ TEST(OverlapEnds, RefusesOneAsLongAsTheRun) {
   }
 }
 
+TEST(Leads, AreNoLongerThanTheRunThatTheyLeadTo) {
+  Toolpath toolpath = ofPaths({depositedBead({{0, 0, 0.5}, {20, 0, 0.5}})});
+  const LeadCount count = addLeads(toolpath, straightLead(90.0));
+  EXPECT_EQ(count.added, 2U);
+  EXPECT_EQ(count.shortened, 2U);
+  const std::vector<Path>& paths = toolpath.layers[0].paths;
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_NEAR(length(paths[0]), 20.0, 1e-9);
+  EXPECT_NEAR(length(paths[2]), 20.0, 1e-9);
+}
+
 TEST(Leads, LinesGoOnAlongTheTangent) {
   const Point3 start(0, 0, 0.5);
   const Point3 end(30, 0, 0.5);

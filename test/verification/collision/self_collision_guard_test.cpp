@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "support/arms.hpp"
 #include "verification/collision/solid.hpp"
 
 namespace lamina {
@@ -87,6 +88,48 @@ TEST(SelfCollisionGuard, NamesTheLinks) {
       return;
     }
   FAIL() << "the head never meets the forearm";
+}
+
+/// An arm with a counterweight 0.6 m behind its axis 1, and a post 0.6 m from that axis at 120 deg.
+std::string armBesideAPost() {
+  std::string text = test::exactParallelAxesArm().urdf();
+  const auto solid = [&](const std::string& link, const std::string& xyz, const std::string& size) {
+    const std::string empty = "<link name=\"" + link + "\"/>";
+    text.replace(text.find(empty), empty.size(),
+                 "<link name=\"" + link + "\"><collision><origin xyz=\"" + xyz +
+                     "\"/><geometry><box size=\"" + size + "\"/></geometry></collision></link>");
+  };
+  solid("base_link", "0 0 0.05", "0.2 0.2 0.1");
+  solid("joint_1_link", "-0.3 0 0.1", "0.7 0.1 0.1");
+  const std::string end = "</robot>";
+  text.replace(text.find(end), end.size(),
+               test::fixedJoint("post", "base_link", "xyz=\"-0.3 0.5196 0\"") + end);
+  solid("post", "0 0 0.5", "0.1 0.1 1");
+  return text;
+}
+
+// The counterweight is over the post where joint 1 is at 120 - 180 = -60 deg. Its corners are 11 deg further
+// from there, those of the post 7 deg, seen from the axis.
+TEST(SelfCollisionGuard, KeepsTheFirstLinkOffWhatStandsBesideTheArm) {
+  const auto arm = kinematicModelFromUrdf(armBesideAPost());
+  const LinkBodies bodies = linkBodies(arm->urdf());
+  const SelfCollisionGuard guard(*arm, bodies);
+  JointValues values = JointValues::Zero(6);
+  for (const double degrees : {-60.0, -50.0, -70.0, 300.0}) {
+    values[0] = degrees * kDegree;
+    EXPECT_FALSE(guard.allows(values)) << degrees;
+    EXPECT_EQ(guard.hindrance(values), "link 'joint_1_link' would be in link 'post'") << degrees;
+  }
+  for (const double degrees : {0.0, -30.0, -90.0, 120.0, 180.0}) {
+    values[0] = degrees * kDegree;
+    EXPECT_TRUE(guard.allows(values)) << degrees << ": " << guard.hindrance(values);
+  }
+  for (int degrees = -180; degrees < 180; ++degrees) {
+    values[0] = degrees * kDegree;
+    if (isWithin(*arm, bodies, values, 0.0)) {
+      EXPECT_FALSE(guard.allows(values)) << degrees;
+    }
+  }
 }
 
 TEST(SelfCollisionGuard, KnowsWholeTurns) {

@@ -13,6 +13,11 @@ struct InverseTrial {
   std::size_t poses = 0;
   std::size_t reached = 0;    ///< poses with solutions, all of which lead back to the pose
   std::size_t recovered = 0;  ///< of the reached poses, those whose solutions include the drawn joints
+  std::size_t regular = 0;    ///< poses whose drawn joints are at least 1.15 deg from any singularity
+  std::size_t regular_recovered =
+      0;                        ///< of the regular poses, those whose solutions include the drawn joints
+  double tip_error_mm = 0.0;    ///< greatest distance of a solution's nozzle from its pose
+  double turn_error_rad = 0.0;  ///< greatest angle between a solution's nozzle and its pose
   /// Whether a pose far out of reach has no solution, as it should.
   bool ends = false;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,6 +31,14 @@ enum class RapidProcess : std::uint8_t {
 enum class RapidLoading : std::uint8_t {
   Together,  ///< all of them are loaded beforehand
   InTurn,    ///< main loads each from the controller's home folder, runs it and unloads it
+};
+
+/// Which logical axis of the controller an external joint is, and how it counts: value = sign · joint + zero.
+struct RapidExternal {
+  std::string joint;     ///< external_1, ...
+  std::size_t slot = 0;  ///< 0 for eax_a, to 5 for eax_f
+  double sign = 1.0;
+  double zero = 0.0;  ///< [mm, deg]
 };
 
 /// How a toolpath is written as RAPID, the language of ABB's robots. Names are those of the listings in
@@ -81,6 +90,11 @@ struct RapidSettings {
   std::vector<double> fixed_configuration = {-1, 0, 0, 2};  ///< cf1, cf4, cf6, cfx
   /// Value of the first external axis [mm, deg] where joint values do not state it.
   double external_axis = 0.0;
+  /// Logical axes of the controller, by external joint: see `rapidExternals`. Empty: eax_a, eax_b, ... in the
+  /// order of the joints.
+  std::string external_axes;
+  /// No setting: those of an arm, in the order of its external joints.
+  std::vector<RapidExternal> external_map;
   /// Targets have five external axes as printed in [Flores2018]; RAPID has six.
   bool is_thesis_compatible = false;
 
@@ -140,5 +154,11 @@ struct RapidLevel {
 /// The levels of `rapid.levels`, as "laser_power_w=aoLaser*0.0025, wire_speed_mm_s=aoWire*0.04".
 /// @throws InvalidConfig if an entry is not of that form, or occurs twice
 std::vector<RapidLevel> rapidLevels(const std::string& text);
+
+/// The axes of `rapid.external_axes`, as "external_1=eax_b, external_2=-eax_c+90".
+/// @throws InvalidConfig if one is no joint=axis, with a minus before and a zero behind where there are any,
+/// or
+///   stands twice
+std::vector<RapidExternal> rapidExternals(const std::string& text);
 
 }  // namespace lamina

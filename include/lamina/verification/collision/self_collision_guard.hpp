@@ -13,10 +13,10 @@ namespace lamina {
 
 class CollisionTable;
 
-/// Forbids joint values at which two links with two driven rotary joints between them collide, such as
-/// forearm and head of an arm.
+/// Forbids joint values at which two links collide that have one or two driven rotary joints between them,
+/// such as forearm and head of an arm, or its first link and a fence.
 ///
-/// Tables with cells of 2 deg in the two joints state where the links collide; they are computed once, so
+/// Tables with cells of 2 deg in these joints state where the links collide; they are computed once, so
 /// that a query is a look-up. A cell is forbidden unless the links are free of collision everywhere in it, so
 /// that values up to about 2 deg beside a collision are forbidden, too. Meshes are tested by their convex
 /// hulls; if the hulls collide, the cell is forbidden only if the meshes collide at its middle. Collisions

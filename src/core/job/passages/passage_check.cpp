@@ -14,8 +14,7 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
-#include "lamina/program/rapid/reader/rapid_reader.hpp"
-#include "lamina/program/rapid/writer/rapid_writer.hpp"
+#include "lamina/program/rapid/rapid_texts.hpp"
 #include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
 
@@ -25,14 +24,7 @@ namespace {
 StatedMotion rapidMotionAsWritten(const PlacedToolpath& placed, const RapidSettings& settings) {
   const RobotMotion robot{placed.joints->model, placed.joints->path};
   const RapidProgram program(placed.toolpath, placed.frame.bed_from_part, settings, &robot);
-  std::vector<std::string> texts(program.moduleNames().size());
-  std::vector<RapidText> modules;
-  modules.reserve(texts.size());
-  for (std::size_t m = 0; m < texts.size(); ++m) {
-    program.write(m, [&text = texts[m]](std::string_view piece) { text.append(piece); });
-    modules.push_back({program.moduleNames()[m] + ".mod", texts[m]});
-  }
-  return readRapidMotion(modules, placed.toolpath.part_name, robot.arm);
+  return readRapidMotion(RapidTexts(program).modules(), placed.toolpath.part_name, robot.arm);
 }
 
 /// Nothing if the program is not read back, as with a tool other than that of the arm's description.

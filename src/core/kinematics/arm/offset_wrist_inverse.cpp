@@ -23,11 +23,12 @@ constexpr double kNearRoot = 1e-7;     // of the cosine
 constexpr double kNearTouch = 0.05;    // the same: a minimum that low may hide two roots
 constexpr double kTouch = 1e-3;        // the same, once a minimum has been looked at closely
 constexpr int kTouchSteps = 2;
-constexpr int kEndSteps = 12;        // to where the reach ends
-constexpr double kNearReach = 0.05;  // of a cosine over 1: beyond it there is nothing to look for
-constexpr double kSameRoot = 1e-6;   // rad
-constexpr double kLevel = 1e-9;      // of sines: below it they are no divisor
-constexpr std::size_t kWays = 4;     // of axes 1 to 3
+constexpr int kEndSteps = 12;           // to where the reach ends
+constexpr std::size_t kEndSamples = 6;  // before it
+constexpr double kNearReach = 0.05;     // of a cosine over 1: beyond it there is nothing to look for
+constexpr double kSameRoot = 1e-6;      // rad
+constexpr double kLevel = 1e-9;         // of sines: below it they are no divisor
+constexpr std::size_t kWays = 4;        // of axes 1 to 3
 
 /// An arm whose axes 4 and 5 meet, whose axis 2 is at a right angle to 1, and 3 a parallel of 2. Vectors of
 /// the frame of axis 1 have their last coordinate along that axis, and the second at a right angle to axis 2.
@@ -116,8 +117,9 @@ class OffsetWristSolver {
           const Residuals& there = sampled[at % kSamples];
           return Sample{place, there.f[way], there.excess[way]};
         };
-        for (const double root : rootsNear(way, {sample(i + kSamples - 1, angle - kStep), sample(i, angle),
-                                                 sample(i + 1, angle + kStep)}))
+        for (const double root :
+             rootsNear(way, {sample(i + kSamples - 1, angle - kStep), sample(i, angle),
+                             sample(i + 1, angle + kStep), sample(i + 2, angle + 2.0 * kStep)}))
           found.push_back(valuesAt(way, root));
       }
     return found;
@@ -140,25 +142,63 @@ class OffsetWristSolver {
     std::array<double, kWays> excess{};
   };
 
-  using Roots = boost::container::static_vector<double, 2>;
+  using Places = boost::container::static_vector<double, 2>;
+  using Roots = boost::container::static_vector<double, 8>;
 
-  /// Between the second and the third of three samples, or where the residual nearly touches zero at the
-  /// second. Some may be beyond reach: Newton's method distinguishes them.
-  Roots rootsNear(std::size_t way, const std::array<Sample, 3>& at) const {
-    const auto& [before, here, next] = at;
-    if (here.excess > kNearReach && next.excess > kNearReach) return {};
-    if (here.isReached() != next.isReached()) {
-      const Sample end = here.isReached() ? reachEnd(way, here, next) : reachEnd(way, next, here);
-      Roots roots;
-      if (here.isNegative() != end.isNegative()) roots.push_back(rootIn(way, here, end));
-      if (end.isNegative() != next.isNegative()) roots.push_back(rootIn(way, end, next));
-      return roots;
+  /// What is sampled of one way: angles of axis 6, or the root of their distance from where the reach ends.
+  struct Line {
+    std::size_t way;
+    double end;
+    double sense;
+    bool is_root;
+
+    double angleAt(double place) const { return is_root ? end + sense * place * place : place; }
+    Sample at(const OffsetWristSolver& solver, double place) const {
+      const Sample there = solver.sampleAt(way, angleAt(place));
+      return {place, there.f, there.excess};
     }
-    if (here.isNegative() != next.isNegative()) return {rootIn(way, here, next)};
+  };
+
+  /// Between the second and the third of four samples, or where the residual nearly touches zero at the
+  /// second. Some may be beyond reach: Newton's method distinguishes them.
+  Roots rootsNear(std::size_t way, const std::array<Sample, 4>& at) const {
+    const auto& [before, here, next, after] = at;
+    if (here.excess > kNearReach && next.excess > kNearReach) return {};
+    if (here.isReached() && !next.isReached()) return rootsToEnd(way, before, here, next);
+    if (next.isReached() && !here.isReached()) return rootsToEnd(way, after, next, here);
+    Roots roots;
+    addRoots({way, 0.0, 1.0, false}, {before, here, next}, roots);
+    return roots;
+  }
+
+  /// Between the end of the reach and the second sample within it, if there are two. The residual rises or
+  /// falls there as the root of the way from the end, and may turn back within less than a sample: it is
+  /// sampled over that root.
+  Roots rootsToEnd(std::size_t way, const Sample& inner, const Sample& within, const Sample& beyond) const {
+    const Sample end = reachEnd(way, within, beyond);
+    const Line line{way, end.angle, within.angle < end.angle ? -1.0 : 1.0, true};
+    const double last = std::sqrt(std::abs(end.angle - (inner.isReached() ? inner : within).angle));
+    std::array<Sample, kEndSamples + 2> at;
+    at[0] = Sample{0.0, end.f, end.excess};
+    for (std::size_t i = 1; i < at.size(); ++i)
+      at[i] = line.at(*this, last * static_cast<double>(i) / kEndSamples);
+    Roots roots;
+    addRoots(line, {at[1], at[0], at[1]}, roots);
+    for (std::size_t i = 1; i <= kEndSamples; ++i) addRoots(line, {at[i - 1], at[i], at[i + 1]}, roots);
+    return roots;
+  }
+
+  /// Roots from the second to the third of three samples of a line, or about the second, as angles.
+  void addRoots(const Line& line, const std::array<Sample, 3>& at, Roots& roots) const {
+    const auto& [before, here, next] = at;
+    const auto add = [&](double place) {
+      if (roots.size() < roots.capacity()) roots.push_back(line.angleAt(place));
+    };
+    if (here.isNegative() != next.isNegative()) return add(rootIn(line, here, next));
     const double least = std::abs(here.f);
     const bool is_least = least <= kNearTouch && least <= std::abs(next.f) && least <= std::abs(before.f);
-    if (!is_least || before.isNegative() != here.isNegative()) return {};
-    return touchingRoots(way, before, here, next);
+    if (!is_least || before.isNegative() != here.isNegative()) return;
+    for (const double place : touchingRoots(line, before, here, next)) add(place);
   }
 
   /// The last place within reach between one within and one beyond.
@@ -210,11 +250,11 @@ class OffsetWristSolver {
   }
 
   /// Between values of different signs, by the false position with halved weights.
-  double rootIn(std::size_t way, Sample low, Sample high) const {
+  double rootIn(const Line& line, Sample low, Sample high) const {
     double at = low.angle;
     for (int step = 0; step < kPolish; ++step) {
       at = low.angle - low.f * (high.angle - low.angle) / (high.f - low.f);
-      const Sample middle = sampleAt(way, at);
+      const Sample middle = line.at(*this, at);
       if (std::abs(middle.f) < kNearRoot) break;
       if ((middle.f < 0.0) == (high.f < 0.0)) {
         high = middle;
@@ -228,20 +268,21 @@ class OffsetWristSolver {
   }
 
   /// Two roots between samples of one sign, or the place where the residual is least.
-  Roots touchingRoots(std::size_t way, Sample before, Sample here, Sample next) const {
+  Places touchingRoots(const Line& line, Sample before, Sample here, Sample next) const {
     for (int step = 0; step < kPolish; ++step) {
       const double bend = next.f - 2.0 * here.f + before.f;
       const double width = 0.5 * (next.angle - before.angle);
       const double shift = bend != 0.0 ? -0.5 * width * (next.f - before.f) / bend : 0.0;
-      const Sample least = sampleAt(way, here.angle + std::clamp(shift, -0.5 * width, 0.5 * width));
+      const Sample least = line.at(*this, here.angle + std::clamp(shift, -0.5 * width, 0.5 * width));
       if (least.isNegative() != here.isNegative())
-        return {rootIn(way, before, least), rootIn(way, least, next)};
+        return {rootIn(line, before, least), rootIn(line, least, next)};
       if (std::abs(least.f) < std::abs(here.f)) here = least;
-      const Sample left = sampleAt(way, here.angle - 0.4 * width);
-      const Sample right = sampleAt(way, here.angle + 0.4 * width);
-      if (left.isNegative() != here.isNegative()) return {rootIn(way, before, left), rootIn(way, left, here)};
+      const Sample left = line.at(*this, here.angle - 0.4 * width);
+      const Sample right = line.at(*this, here.angle + 0.4 * width);
+      if (left.isNegative() != here.isNegative())
+        return {rootIn(line, before, left), rootIn(line, left, here)};
       if (right.isNegative() != here.isNegative())
-        return {rootIn(way, here, right), rootIn(way, right, next)};
+        return {rootIn(line, here, right), rootIn(line, right, next)};
       before = left;
       next = right;
       if (step >= kTouchSteps && std::abs(here.f) > kTouch) return {};

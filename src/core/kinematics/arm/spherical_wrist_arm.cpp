@@ -10,9 +10,10 @@
 namespace lamina {
 namespace {
 
-constexpr double kOnAxis = 1e-7;    // mm: below what results are held to
-constexpr double kInLine = 1e-10;   // rad
-constexpr double kStretch = 1e-10;  // by how much rounding brings the cosine of an elbow beyond 1
+constexpr double kOnAxis = 1e-7;             // mm: below what results are held to
+constexpr double kInLine = 1e-10;            // rad
+constexpr double kStretch = 1e-10;           // by how much rounding brings the cosine of an elbow beyond 1
+constexpr double kExactDescription = 1e-11;  // rad and mm: of a description without rounded numbers
 
 /// In (-pi, pi], of an angle less than a turn beyond.
 double wrapped(double angle) {
@@ -32,13 +33,17 @@ struct Side {
 class Solver {
  public:
   Solver(const SphericalWristArm& arm, const Eigen::Isometry3d& base_from_wrist, const ArmValues& near)
-      : arm_(arm), target_(base_from_wrist), near_(near) {}
+      : arm_(arm), target_(base_from_wrist), near_(near) {
+    // The real arm may reach by as much further as it deviates, where the solutions are refined then.
+    if (arm.deviation > kExactDescription)
+      loose_mm_ = 3.0 * arm.deviation * (1.0 + arm.upper_mm + arm.fore_mm);
+  }
 
   ArmSolutions all() {
     const double x = target_.translation().x();
     const double y = target_.translation().y();
     const double distance = std::hypot(x, y);
-    if (distance < std::abs(arm_.side_mm) - kOnAxis) return {};
+    if (distance < std::abs(arm_.side_mm) - kOnAxis - loose_mm_) return {};
     if (distance < kOnAxis) {
       const Turn kept = turnOf(near_[0]);
       addElbows({kept, 0.0}, 0);
@@ -46,7 +51,8 @@ class Solver {
       return found_;
     }
     const double side = arm_.side_mm;
-    const double reach = std::sqrt(std::max(0.0, (distance - side) * (distance + side)));
+    const double squared_reach = (distance - side) * (distance + side);
+    const double reach = std::sqrt(loose_mm_ > 0.0 ? std::abs(squared_reach) : std::max(0.0, squared_reach));
     const double square = distance * distance;
     addElbows({Turn(x * reach + y * side, y * reach - x * side) / square, reach}, 0);
     addElbows({Turn(y * side - x * reach, -y * reach - x * side) / square, -reach}, 4);
@@ -64,7 +70,10 @@ class Solver {
     const double upper = arm_.upper_mm;
     const double fore = arm_.fore_mm;
     double cosine = (square - upper * upper - fore * fore) / (2.0 * upper * fore);
-    if (std::abs(cosine) > 1.0 + kStretch) return;
+    const double beyond = std::abs(cosine) - 1.0;
+    if (beyond > kStretch + loose_mm_ * (upper + fore) / (upper * fore)) return;
+    // Bent as far to either side as it lacks, since no refinement leaves a straight elbow.
+    if (beyond > kStretch) cosine = std::copysign(1.0 - beyond, cosine);
     cosine = std::clamp(cosine, -1.0, 1.0);
     const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
     const Eigen::Matrix3d turned = turnedBack(side.first);
@@ -133,6 +142,7 @@ class Solver {
   const SphericalWristArm& arm_;
   const Eigen::Isometry3d& target_;
   const ArmValues& near_;
+  double loose_mm_ = 0.0;
   ArmSolutions found_;
 };
 

@@ -288,8 +288,10 @@ class LayerLeads {
     const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
     const LeadWay way = leadWay(shape, settings_);
-    const FreeWay free = shape == LeadShape::Loop ? freeLoop(*start, way, index, width_mm)
-                                                  : freeSide(*start, way, index, width_mm);
+    FreeWay free = shape == LeadShape::Loop ? freeLoop(*start, way, index, width_mm)
+                                            : freeSide(*start, way, index, width_mm);
+    // Longer than what it leads to, it would lay or heat more beside the part than in it.
+    if (shape != LeadShape::Loop) free.length_mm = std::min(free.length_mm, length(path));
     if (free.length_mm < std::min(settings_.least_mm, way.whole_mm)) {
       ++count.left_out;
       return std::nullopt;
@@ -328,10 +330,12 @@ class LayerLeads {
     const double reach_mm = whole.whole_mm / std::cos(toRadians(settings_.rise_deg));
     const LeadRoom room(motions_, start.at, reach_mm, index);
     const LeadSide outer = outside(layer_.paths[index], start.up);
+    const double run_mm = length(layer_.paths[index]);
     for (std::size_t size = kLoopSizes; size > 0; --size) {
       LeadWay way = whole;
       way.radius_mm *= static_cast<double>(size) / kLoopSizes;
       way.whole_mm = 2.0 * M_PI * way.radius_mm;
+      if (way.whole_mm > run_mm) continue;
       const auto farFromOthers = [&](LeadSide side) {
         return room.toOthers(leadPoint(start, way, side, settings_, 0.5 * way.whole_mm));
       };

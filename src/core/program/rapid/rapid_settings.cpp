@@ -106,6 +106,11 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
       "rapid.external_axis", settings.external_axis, {-1e5, 1e5},
       "Value of the first external axis [mm, deg] where no joint of the machine gives it; 0: an arm "
       "of the description has none there.");
+  schema.text(
+      "rapid.external_axes", settings.external_axes,
+      "Logical axes of the controller that external joints are, with commas between: joint=axis, with "
+      "- before the axis where it counts the other way, and its value where the joint is at zero behind: "
+      "external_1=eax_b, external_2=-eax_c+90; empty: eax_a, eax_b, ... in the order of the joints.");
   schema.flag("rapid.thesis_compat", settings.is_thesis_compatible,
               "Five external axes in targets, as printed in [Flores2018]; RAPID has six.");
 }
@@ -249,6 +254,19 @@ void requireLevels(const RapidSettings& settings) {
         throw InvalidConfig("rapid.levels names '" + level.signal + "', as does " + key + "; must differ");
 }
 
+void requireExternals(const RapidSettings& settings) {
+  const std::vector<RapidExternal> externals = rapidExternals(settings.external_axes);
+  if (externals.empty()) return;
+  if (settings.external_axis != 0.0)
+    throw InvalidConfig("rapid.external_axis is " + numberText(settings.external_axis) +
+                        " with rapid.external_axes '" + settings.external_axes +
+                        "', which gives axes by joints; expected 0");
+  for (const RapidExternal& external : externals)
+    if (settings.is_thesis_compatible && external.slot >= kThesisAxes)
+      throw InvalidConfig("rapid.external_axes names eax_f with rapid.thesis_compat, which has " +
+                          std::to_string(kThesisAxes) + " axes; expected eax_a to eax_e");
+}
+
 void requireAliases(const RapidSettings& settings) {
   const std::vector<std::string> signals = {settings.laser_signal, settings.laser_ready_signal,
                                             settings.wire_signal, settings.powder_signal,
@@ -292,6 +310,7 @@ RapidSettings checkedRapidSettings(RapidSettings settings) {
   requireArc(settings);
   requireNames(settings);
   requireLevels(settings);
+  requireExternals(settings);
   requireAliases(settings);
   return settings;
 }

@@ -17,6 +17,12 @@ constexpr std::string_view kRapidDryFlag = "lamina_dry";
 /// Begins a note of a level: its process value, its output, and how much that is for each unit.
 constexpr std::string_view kRapidLevel = "level";
 
+/// Begins a note of an external axis: its joint, its name on the controller, 1 or -1, and its zero.
+constexpr std::string_view kRapidExternal = "external";
+
+/// External axes of a target as printed in [Flores2018]; RAPID has six.
+constexpr std::size_t kThesisAxes = 5;
+
 /// Name of the trigger that sets a level on the way: "lamina_level_1" of the first.
 std::string rapidLevelTrigger(std::size_t level);
 

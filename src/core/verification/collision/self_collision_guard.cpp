@@ -7,9 +7,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -22,18 +24,24 @@
 
 namespace lamina {
 
-/// Two groups of links that two rotary joints move against each other.
+/// Two groups of links that one or two rotary joints move against each other.
 struct JointedPair {
   const RigidGroup* near = nullptr;
   const RigidGroup* far = nullptr;
-  std::array<Eigen::Index, 2> joints{};     ///< of the kinematic model; the first next to `near`
+  /// Of the kinematic model; the first next to `near`. Both are the same of groups with one joint between.
+  std::array<Eigen::Index, 2> joints{};
   std::array<std::string, 2> axis_links{};  ///< whose origins lie on the axes of the joints
+
+  bool hasOneJoint() const { return joints[0] == joints[1]; }
 };
 
-/// Every link over the root of the tree [mm], at values of the two joints of a pair [rad].
+/// Every link over the root of the tree [mm], at values of the joints of a pair [rad]; of one joint the
+/// first.
 using PairPoses = std::function<std::map<std::string, Eigen::Isometry3d>(double first, double second)>;
 
-/// At which values of two rotary joints two groups of links are in each other.
+constexpr double kWholeTurn = 2.0 * M_PI;
+
+/// At which values of one or two rotary joints two groups of links are in each other.
 class CollisionTable {
  public:
   CollisionTable(const JointedPair& pair, const std::vector<DrivenJoint>& joints, const PairPoses& poses);
@@ -58,6 +66,7 @@ class CollisionTable {
   struct Filling;
 
   static Cells cellsOf(Eigen::Index index, const DrivenJoint& joint);
+  static Cells oneCell(const Cells& all) { return {all.joint, all.low, 2.0 * kWholeTurn, 1}; }
 
   Cells columns_;
   Cells rows_;
@@ -67,7 +76,6 @@ class CollisionTable {
 
 namespace {
 
-constexpr double kTurn = 2.0 * M_PI;
 constexpr double kFinest = toRadians(2.0);
 
 std::string namesOf(const RigidGroup& group) {
@@ -92,17 +100,40 @@ std::optional<Eigen::Index> rotaryJoint(const std::vector<DrivenJoint>& joints, 
   return std::nullopt;
 }
 
-/// The groups that hang on the two joints between two groups, the first next to `near`; nothing if there are
-/// more joints between them.
+/// The groups that hang on the two joints between two groups, the first next to `near`, or twice that on the
+/// only one; nothing if there are more joints between them.
 std::optional<std::array<const RigidGroup*, 2>> hangingBetween(const LinkBodies& bodies, std::size_t near,
                                                                std::size_t far) {
   const RigidGroup& a = bodies.groups[near];
   const RigidGroup& b = bodies.groups[far];
   const RigidGroup& between = bodies.groups[b.parent];
   if (b.joint.empty()) return std::nullopt;
+  if (b.parent == near) return std::array{&b, &b};
   if (!between.joint.empty() && between.parent == near) return std::array{&between, &b};
   if (!a.joint.empty() && a.parent == b.parent) return std::array{&a, &b};
   return std::nullopt;
+}
+
+/// The groups, and of those that hold links which are not checked against each other, as the first link of an
+/// arm and the one that carries it beside a fence, each link of the far one with what else is in the near
+/// one.
+std::vector<std::pair<RigidGroup, RigidGroup>> checkedParts(const LinkBodies& bodies, const RigidGroup& near,
+                                                            const RigidGroup& far) {
+  if (!areUnchecked(bodies, near, far)) return {{near, far}};
+  std::vector<std::pair<RigidGroup, RigidGroup>> parts;
+  for (const LinkBody& body : far.bodies) {
+    const bool is_known = std::any_of(parts.begin(), parts.end(), [&](const auto& part) {
+      return part.second.bodies.front().link == body.link;
+    });
+    if (is_known) continue;
+    std::pair<RigidGroup, RigidGroup> part;
+    std::copy_if(near.bodies.begin(), near.bodies.end(), std::back_inserter(part.first.bodies),
+                 [&](const LinkBody& other) { return !areUnchecked(bodies, other.link, body.link); });
+    std::copy_if(far.bodies.begin(), far.bodies.end(), std::back_inserter(part.second.bodies),
+                 [&](const LinkBody& other) { return other.link == body.link; });
+    if (!part.first.bodies.empty()) parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 std::optional<JointedPair> jointedPair(const LinkBodies& bodies, std::size_t near, std::size_t far,
@@ -159,7 +190,8 @@ struct CollisionTable::Filling {
       return cells.low + 0.5 * cells.width * static_cast<double>(range.begin + range.end);
     };
     const double half_column = 0.5 * table.columns_.width * static_cast<double>(columns.size());
-    const double half_row = 0.5 * table.rows_.width * static_cast<double>(rows.size());
+    const double half_row =
+        pair.hasOneJoint() ? 0.0 : 0.5 * table.rows_.width * static_cast<double>(rows.size());
     const auto links = poses(middle(table.columns_, columns), middle(table.rows_, rows));
     const Point3 first_axis = links.at(pair.axis_links[0]).translation();
     const Point3 second_axis = links.at(pair.axis_links[1]).translation();
@@ -204,13 +236,13 @@ struct CollisionTable::Filling {
 
 std::size_t CollisionTable::Cells::cellOf(const JointValues& values) const {
   const double from_low = values[joint] - low;
-  const bool is_within = from_low >= 0.0 && from_low < kTurn;  // as values within limits mostly are
-  const double within = is_within ? from_low : from_low - kTurn * std::floor(from_low / kTurn);
+  const bool is_within = from_low >= 0.0 && from_low < kWholeTurn;  // as values within limits mostly are
+  const double within = is_within ? from_low : from_low - kWholeTurn * std::floor(from_low / kWholeTurn);
   return std::min(count - 1, static_cast<std::size_t>(within / width));
 }
 
 CollisionTable::Cells CollisionTable::cellsOf(Eigen::Index index, const DrivenJoint& joint) {
-  const double range = std::min(kTurn, joint.high - joint.low);
+  const double range = std::min(kWholeTurn, joint.high - joint.low);
   const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(range / kFinest)));
   const double low = std::isfinite(joint.low) ? joint.low : -M_PI;
   return {index, low, range / static_cast<double>(count), count};
@@ -219,7 +251,8 @@ CollisionTable::Cells CollisionTable::cellsOf(Eigen::Index index, const DrivenJo
 CollisionTable::CollisionTable(const JointedPair& pair, const std::vector<DrivenJoint>& joints,
                                const PairPoses& poses)
     : columns_(cellsOf(pair.joints[0], joints[static_cast<std::size_t>(pair.joints[0])])),
-      rows_(cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
+      rows_(pair.hasOneJoint() ? oneCell(columns_)
+                               : cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
       cells_(columns_.count * rows_.count, false),
       text_("link " + namesOf(*pair.far) + " would be in link " + namesOf(*pair.near)) {
   Filling filling{*this, pair, poses, {}, {}, {}};
@@ -240,15 +273,19 @@ SelfCollisionGuard::SelfCollisionGuard(const KinematicModel& model, const LinkBo
   const LinkTree tree(*parseMachine(model.urdf()));
   const std::vector<DrivenJoint>& joints = model.joints();
   for (const auto& [near, far] : bodies.pairs) {
-    // Links of one group are one solid here: the check of the whole run tells them apart.
-    if (areUnchecked(bodies, bodies.groups[near], bodies.groups[far])) continue;
-    const auto pair = jointedPair(bodies, near, far, joints);
+    auto pair = jointedPair(bodies, near, far, joints);
     if (!pair) continue;
     const auto nameOf = [&](std::size_t i) { return joints[static_cast<std::size_t>(pair->joints[i])].name; };
     // How two groups stand to each other is a matter of the joints between them alone.
-    tables_.emplace_back(*pair, joints, [&](double first, double second) {
+    const PairPoses poses = [&](double first, double second) {
+      if (pair->hasOneJoint()) return tree.rootFromLinks({{nameOf(0), first}});
       return tree.rootFromLinks({{nameOf(0), first}, {nameOf(1), second}});
-    });
+    };
+    for (const auto& [near_part, far_part] : checkedParts(bodies, bodies.groups[near], bodies.groups[far])) {
+      pair->near = &near_part;
+      pair->far = &far_part;
+      tables_.emplace_back(*pair, joints, poses);
+    }
   }
 }
 

@@ -12,7 +12,6 @@ namespace lamina {
 namespace {
 
 constexpr double kMostQuarters = 100.0;
-constexpr double kNoAxis = 9e9;       // the value of an axis that is not there
 constexpr double kUnitLength = 1e-4;  // of a quaternion in 7 digits, with room
 
 /// `count` numbers in brackets.
@@ -164,7 +163,7 @@ AbbConfiguration takeConfiguration(RapidCursor& cursor) {
           static_cast<int>(values[3])};
 }
 
-/// Those before the first that is not there.
+/// Those up to the last that is there.
 std::vector<double> takeExternal(RapidCursor& cursor) {
   std::vector<double> axes;
   cursor.expect("[");
@@ -172,8 +171,7 @@ std::vector<double> takeExternal(RapidCursor& cursor) {
   while (axes.size() < 6 && cursor.take(","));
   if (axes.size() < 5) cursor.refuse("five or six external axes");
   cursor.expect("]");
-  axes.erase(std::find_if(axes.begin(), axes.end(), [](double value) { return value >= kNoAxis; }),
-             axes.end());
+  while (!axes.empty() && axes.back() >= kNoRapidAxis) axes.pop_back();
   return axes;
 }
 

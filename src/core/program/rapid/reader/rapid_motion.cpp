@@ -12,6 +12,7 @@
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
 #include "program/led_joints.hpp"
+#include "program/rapid/rapid_externals.hpp"
 
 namespace lamina {
 namespace {
@@ -47,8 +48,12 @@ void requireCell(const RapidSource& source, const KinematicModel& arm) {
 /// Follows the moves of a program with the joints of an arm.
 class RapidFollower {
  public:
-  RapidFollower(const KinematicModel& arm, const std::vector<RapidWay>& ways)
-      : arm_(arm), ways_(ways), last_(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()))) {}
+  RapidFollower(const KinematicModel& arm, const std::vector<RapidWay>& ways,
+                const std::vector<RapidExternal>& externals)
+      : arm_(arm),
+        ways_(ways),
+        externals_(externals),
+        last_(JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()))) {}
 
   void add(const RapidStation& station, StatedMotion& motion) {
     followWays(station.index, motion);
@@ -115,14 +120,24 @@ class RapidFollower {
     for (std::size_t j = 0; j < arm_.joints().size(); ++j) {
       const DrivenJoint& joint = arm_.joints()[j];
       if (!isExternal(joint.name)) continue;
-      if (next == external.size())
-        throw InvalidProgram("line " + std::to_string(line) + ": a target has " +
-                             std::to_string(external.size()) + " external axes; expected one for joint '" +
-                             joint.name + "' of '" + arm_.name() + "'");
-      const double value = external[next++];
+      const RapidExternal axis = axisOf(joint, next++);
+      if (axis.slot >= external.size() || external[axis.slot] >= kNoRapidAxis)
+        throw InvalidProgram("line " + std::to_string(line) + ": a target has no value of " +
+                             rapidAxisName(axis.slot) + "; expected one for joint '" + joint.name + "' of '" +
+                             arm_.name() + "'");
+      const double value = (external[axis.slot] - axis.zero) / axis.sign;
       values[static_cast<Eigen::Index>(j)] = joint.kind == JointKind::Linear ? value : toRadians(value);
     }
     return values;
+  }
+
+  /// By the notes, or, without any, in the order of joints.
+  RapidExternal axisOf(const DrivenJoint& joint, std::size_t place) const {
+    if (externals_.empty()) return {joint.name, place};
+    for (const RapidExternal& each : externals_)
+      if (each.joint == joint.name) return each;
+    throw InvalidProgram("the program names no external axis for joint '" + joint.name + "' of '" +
+                         arm_.name() + "'; expected one in a note at its head");
   }
 
   FaultyWaypoint faultOf(const RapidStation& station, const Eigen::Isometry3d& pose) const {
@@ -136,6 +151,7 @@ class RapidFollower {
 
   const KinematicModel& arm_;
   const std::vector<RapidWay>& ways_;
+  const std::vector<RapidExternal>& externals_;
   std::size_t next_ = 0;  ///< way
   bool is_far_ = false;   ///< whether the arm comes from beside the part
   JointValues last_;
@@ -149,7 +165,7 @@ StatedMotion rapidMotionOf(const RapidSource& source, RapidRunning running, cons
   requireCell(source, arm);
   StatedMotion motion;
   motion.between = StatedMove::Nozzle;
-  RapidFollower follower(arm, running.ways);
+  RapidFollower follower(arm, running.ways, source.externals);
   for (const RapidStation& station : running.stations) {
     goOnInFile(motion, source.files[station.move.module]);
     follower.add(station, motion);

@@ -109,6 +109,31 @@ void readLevelNotes(RapidSource& source) {
   }
 }
 
+/// The external axes of the first module, from the comments at its head.
+void readExternalNotes(RapidSource& source) {
+  source.externals.clear();
+  for (const RapidComment& comment : source.head) {
+    const auto text = noteText(comment);
+    if (!text) continue;
+    NoteWords words(*text, comment.line, source.files.front());
+    if (!words.take(kRapidExternal)) continue;
+    const std::string joint(words.next());
+    const std::string axis(words.next());
+    const auto sign = words.number<double>("1 or -1");
+    const auto zero = words.number<double>("the value of the axis where its joint is at zero");
+    words.expectEnd();
+    std::string entry = joint + (sign < 0.0 ? "=-" : "=") + axis + (zero < 0.0 ? "" : "+");
+    appendShortest(entry, zero);
+    try {
+      source.externals.push_back(rapidExternals(entry).at(0));
+    } catch (const InvalidConfig&) {
+      words.refuse(axis, "a joint, and its axis, eax_a to eax_f");
+    }
+    if (std::abs(sign) != 1.0) words.refuse(axis, "1 or -1 behind it");
+    source.process.insert("external axis " + entry);
+  }
+}
+
 /// Whether a procedure leads to the part or away from it, which its comments say.
 bool isPassage(const RapidProcedure& procedure) {
   return std::any_of(procedure.comments.begin(), procedure.comments.end(), [](const RapidComment& comment) {
@@ -286,6 +311,7 @@ void addModule(const std::string& file, std::string_view text, RapidSource& sour
   readRapidModule(cursor, source);
   readWireStopNotes(source);
   readLevelNotes(source);
+  readExternalNotes(source);
 }
 
 RapidRunning runningOf(const RapidSource& source, const std::string& part_name) {

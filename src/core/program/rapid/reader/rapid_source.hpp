@@ -16,12 +16,15 @@
 
 namespace lamina {
 
+constexpr double kNoRapidAxis = 9e9;  ///< the value of an external axis that is not there
+
 /// Value of a robtarget.
 struct RapidTarget {
   Point3 point = Point3::Zero();  ///< [mm, work object]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   AbbConfiguration configuration;
-  std::vector<double> external;  ///< values of the external axes that exist [mm, deg]
+  /// Values of the external axes up to the last that is there [mm, deg]; `kNoRapidAxis` of others.
+  std::vector<double> external;
 };
 
 /// Effect of a move on the arc.
@@ -41,7 +44,8 @@ struct RapidMove {
 /// Value of a jointtarget.
 struct RapidJoints {
   std::vector<double> arm_deg;
-  std::vector<double> external;  ///< values of the external axes that exist [mm, deg]
+  /// Values of the external axes up to the last that is there [mm, deg]; `kNoRapidAxis` of others.
+  std::vector<double> external;
 };
 
 /// Value of a tooldata, as far as it is needed.
@@ -100,7 +104,8 @@ struct RapidSource {
   std::vector<RapidMove> moves;
   std::vector<RapidJoints> joint_moves;
   std::vector<RapidLevelChange> level_changes;
-  std::vector<RapidLevel> levels;  ///< of the notes; names of outputs in lower case
+  std::vector<RapidLevel> levels;        ///< of the notes; names of outputs in lower case
+  std::vector<RapidExternal> externals;  ///< of the notes
   std::vector<std::string> called;
   std::map<std::string, RapidProcedure> procedures;
   std::vector<RapidComment> head;  ///< comments before the first procedure of the first module

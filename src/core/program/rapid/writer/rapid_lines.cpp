@@ -3,7 +3,9 @@
 #include "program/rapid/writer/rapid_lines.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/decimals.hpp"
 #include "lamina/base/angle.hpp"
@@ -51,12 +53,20 @@ std::string rapidConfiguration(const RapidSettings& settings) {
 
 std::string rapidExternalAxes(std::vector<double> values, const RapidSettings& settings) {
   if (values.empty() && settings.has_external_axis) values.push_back(settings.external_axis);
-  const std::size_t count = settings.is_thesis_compatible ? 5 : 6;
+  const std::size_t count = settings.is_thesis_compatible ? kThesisAxes : 6;
+  std::vector<std::optional<double>> axes(values.begin(), values.end());
+  if (!settings.external_map.empty() && values.size() == settings.external_map.size()) {
+    axes.assign(count, std::nullopt);
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      const RapidExternal& external = settings.external_map[j];
+      axes[external.slot] = external.sign * values[j] + external.zero;
+    }
+  }
   std::string text = "[";
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) text += ',';
-    if (i < values.size())
-      appendDecimals(text, values[i], kAxisDecimals);
+    if (i < axes.size() && axes[i])
+      appendDecimals(text, *axes[i], kAxisDecimals);
     else
       text += "9e+09";
   }

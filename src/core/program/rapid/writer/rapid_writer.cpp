@@ -15,6 +15,7 @@
 #include "lamina/program/rapid/rapid_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "program/external_axes.hpp"
+#include "program/rapid/rapid_externals.hpp"
 #include "program/rapid/rapid_words.hpp"
 #include "program/rapid/writer/rapid_lines.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
@@ -73,6 +74,10 @@ std::string comments(const RapidHead& head, const RapidSettings& settings) {
   for (const RapidLevel& level : rapidLevels(settings.levels))
     text.append(kRapidNote).append(kRapidLevel).append(" " + level.name + " " + level.signal + " ") +=
         shortestText(level.per) + "\n";
+  for (const RapidExternal& external : settings.external_map)
+    text.append(kRapidNote).append(kRapidExternal) +=
+        " " + external.joint + " " + rapidAxisName(external.slot) + " " + shortestText(external.sign) + " " +
+        shortestText(external.zero) + "\n";
   std::string frames = head.frame_comments;
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (frames[i] == ';' && (i == 0 || frames[i - 1] == '\n')) frames[i] = '!';
@@ -213,10 +218,16 @@ std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const Ra
 }
 
 RapidSettings settingsFor(const RapidSettings& settings, const RobotMotion* robot) {
-  if (robot == nullptr || !isSixAxisArm(robot->arm)) return checkedRapidSettings(settings);
+  if (robot == nullptr || !isSixAxisArm(robot->arm)) {
+    if (!settings.external_axes.empty())
+      throw InvalidConfig("rapid.external_axes is '" + settings.external_axes +
+                          "', but no joints are known; expected none, or a machine that is an arm");
+    return checkedRapidSettings(settings);
+  }
   RapidSettings own = checkedRapidSettings(withArmCell(settings, robot->arm));
   // Listings of the thesis state a value for an axis that its arms do not have.
   if (own.external_axis == 0.0 && !own.is_thesis_compatible) own.has_external_axis = false;
+  own.external_map = externalsOf(robot->arm, own.external_axes);
   return own;
 }
 

@@ -16,9 +16,10 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kHeadLines = 60;  // of head, foot and the move to the start, of any language
-constexpr std::size_t kMoveLines = 8;   // of a move and what stands round it
-constexpr std::size_t kFilePoints = 2;  // that are not of a stretch: to the start, and the retract
+constexpr std::size_t kHeadLines = 60;       // of head, foot and the move to the start, of any language
+constexpr double kShortestLongWait = 300.0;  // s: longer waits are several statements
+constexpr std::size_t kMoveLines = 8;        // of a move and what stands round it
+constexpr std::size_t kFilePoints = 2;       // that are not of a stretch: to the start, and the retract
 
 /// What is in force where a file is cut.
 class Standing {
@@ -65,6 +66,21 @@ std::size_t lastMoveOf(const std::vector<RobotStatement>& statements) {
   for (std::size_t i = 0; i < statements.size(); ++i)
     if (std::holds_alternative<TipMove>(statements[i])) last = i;
   return last;
+}
+
+/// More than any language takes for a stretch.
+RobotFileSize greatestSize(const std::vector<RobotStatement>& statements) {
+  constexpr std::size_t kNoteWidth = 8;  // of the narrowest comments, at least
+  RobotFileSize size;
+  for (const RobotStatement& statement : statements) {
+    const auto* note = std::get_if<NoteLine>(&statement);
+    const auto* wait = std::get_if<ProgramWait>(&statement);
+    size.lines += kMoveLines;
+    if (note != nullptr) size.lines += note->text.size() / kNoteWidth;
+    if (wait != nullptr) size.lines += static_cast<std::size_t>(wait->duration_s / kShortestLongWait);
+    ++size.points;
+  }
+  return size;
 }
 
 /// Puts a program's statements into files.
@@ -135,6 +151,8 @@ class RobotFiles {
 
   void place(const RobotStretch& stretch) {
     const std::vector<RobotStatement> statements = script_.statements(stretch);
+    const RobotFileSize greatest = greatestSize(statements);
+    if (hasRoomFor(last().size(), greatest.lines, greatest.points)) return print(statements);
     const auto trial = dialect_.open(site_);
     for (const RobotStatement& statement : statements) trial->print(statement);
     const RobotFileSize needed = trial->size();
