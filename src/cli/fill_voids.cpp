@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/job/voids/void_filling.hpp"
 #include "lamina/program/drops/drop_program.hpp"
 #include "output/terminal_progress.hpp"
@@ -49,7 +50,7 @@ JobSettings settingsFrom(const FillVoidsArguments& arguments) {
   std::vector<SettingText> overrides = overridesOf(arguments.drops);
   for (SettingText& setting : overridesFrom(arguments.settings.assignments))
     overrides.push_back(std::move(setting));
-  return loadJobSettings(arguments.settings.config, overrides);
+  return withStatedShrinkage(loadJobSettings(arguments.settings.config, overrides), arguments.program);
 }
 
 VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {

@@ -12,6 +12,7 @@
 #include "arguments/toolpath_input.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/part/part_in_program.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "output/metrics_table.hpp"
@@ -40,8 +41,10 @@ struct MeasuredProgram {
   ToolpathMetrics metrics;
 };
 
-MeasuredProgram measureInput(const std::string& input, const ComparedPart& part,
-                             const MetricsArguments& arguments, const JobSettings& settings) {
+MeasuredProgram measureInput(const std::string& input, const ComparedPart& drawn,
+                             const MetricsArguments& arguments, const JobSettings& asked) {
+  const JobSettings settings = withStatedShrinkage(asked, input);
+  const ComparedPart part = asPrinted(drawn, settings);
   MeasuredProgram measured;
   measured.name = std::filesystem::path(input).filename().string();
   ToolpathInput read = readToolpath(input, settings);

@@ -10,6 +10,7 @@
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "output/layer_overlay.hpp"
 #include "output/terminal_progress.hpp"
@@ -60,7 +61,7 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
   if (arguments.part.empty()) return {};
   VoidJob job;
   job.part = arguments.part;
-  job.settings = settings;
+  job.settings = withStatedShrinkage(settings, arguments.input);
   TerminalProgress progress;
   VoidReport report;
   report.part = placeContours(toolpath, job, progress);

@@ -9,6 +9,7 @@
 #include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/voids/void_job.hpp"
 #include "lamina/job/voids/void_report_csv.hpp"
@@ -36,7 +37,7 @@ struct VoidArguments {
 VoidJob jobFrom(const VoidArguments& arguments) {
   VoidJob job;
   job.part = arguments.part;
-  job.settings = jobSettingsFrom(arguments.settings);
+  job.settings = withStatedShrinkage(jobSettingsFrom(arguments.settings), arguments.program);
   if (!arguments.offset.empty()) job.offset = Point2(arguments.offset[0], arguments.offset[1]);
   return job;
 }

@@ -56,6 +56,17 @@ TEST(SliceMeasurement, RefusesWhatItCannotChangeOrMeasure) {
   EXPECT_THROW(SliceMeasurement({"no_such_part.stl", "", {}}), FileError);
 }
 
+/// What shrinks by a fifth is printed 1.25 times as large.
+TEST(SliceMeasurement, ComparesAPartThatShrinksAsItIsPrinted) {
+  const SliceMeasurement large(
+      {"tetradecahedron", "", loadJobSettings("", {{"walls.count", "1"}, {"input.scale", "1.25"}})});
+  const std::vector<SettingText> shrinks = {{"compensation.shrink_xy", "0.2"},
+                                            {"compensation.shrink_z", "0.2"}};
+  const double error_mm3 = measure(large, {}, {"volume_error_mm3"})[0];
+  EXPECT_NEAR(measure(ofATetradecahedron(), shrinks, {"volume_error_mm3"})[0], error_mm3,
+              1e-3 * std::abs(error_mm3));
+}
+
 TEST(SliceMeasurement, TakesAMetricThatWasAdded) {
   Metric layers;
   layers.measure = [](const MetricRequest& request) {

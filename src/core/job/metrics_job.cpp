@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "job/modes/part_slicing.hpp"
+#include "job/part/shrinkage.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -56,7 +57,10 @@ std::vector<double> SliceMeasurement::measure(const std::vector<SettingText>& ov
   requireToolAxisFor(job, space);
   const SlicedPart sliced = sliceSource(source_->part, job, space, progress);
   const ToolpathMetrics measured =
-      measureToolpath(sliced.toolpath, source_->part.mesh, sliced.bed_from_part, asked, progress);
+      changesSize(job.settings.compensation)
+          ? measureToolpath(sliced.toolpath, grownForShrinkage(source_->part, job.settings).mesh,
+                            sliced.bed_from_part, asked, progress)
+          : measureToolpath(sliced.toolpath, source_->part.mesh, sliced.bed_from_part, asked, progress);
   const std::vector<double> all = metricValues(measured);
   std::vector<double> values;
   values.reserve(metrics.size());

@@ -132,6 +132,20 @@ TEST_F(ProgramAnnotationsTest, RepeatASliceByItsSettings) {
   EXPECT_EQ(readFile(file_), program);
 }
 
+TEST_F(ProgramAnnotationsTest, StateTheShrinkageThatAPartIsComparedWith) {
+  const std::string path = folder_.file("shrunk.gcode");
+  writeFile(path, programWith({{"program.settings_in_file", "true"},
+                               {"compensation.shrink_xy", "0.004"},
+                               {"compensation.shrink_z", "0.003"},
+                               {"infill.density", "0.37"}}));
+  const JobSettings compared = withStatedShrinkage({}, path);
+  EXPECT_EQ(compared.compensation.shrink_xy, 0.004);
+  EXPECT_EQ(compared.compensation.shrink_z, 0.003);
+  EXPECT_EQ(compared.planning.infill.density, JobSettings().planning.infill.density);
+  writeFile(path, "G28\n");
+  EXPECT_EQ(withStatedShrinkage(compared, path).compensation.shrink_xy, 0.004);
+}
+
 TEST_F(ProgramAnnotationsTest, AreAskedForInVainWhereAProgramStatesNoSettings) {
   writeFile(file_, "G28\n");
   EXPECT_THROW(statedSettings(file_), InvalidConfig);

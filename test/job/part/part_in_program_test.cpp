@@ -41,6 +41,17 @@ TEST(PartInProgram, StandsOnTheBedThoughItsLowestBeadLiesALittleAboveIt) {
   EXPECT_NEAR(placeIn(ramp(0.35), standing, std::nullopt).program_from_part.z(), 0.15, 1e-9) << "on a raft";
 }
 
+TEST(PartInProgram, IsLargerWhereThePartShrinks) {
+  JobSettings settings;
+  settings.compensation.shrink_xy = 0.2;
+  settings.compensation.shrink_z = 0.5;
+  const ComparedPart drawn{"box.stl", test::boxBetween({0, 0, 1}, {20, 10, 5})};
+  const Box3 printed = boundingBox(asPrinted(drawn, settings).mesh);
+  EXPECT_TRUE(printed.low.isApprox(Point3(-2.5, -1.25, 1)));
+  EXPECT_TRUE(printed.high.isApprox(Point3(22.5, 11.25, 9)));
+  EXPECT_EQ(boundingBox(asPrinted(drawn, {}).mesh).high, Point3(20, 10, 5));
+}
+
 TEST(PartInProgram, AProgramOfALargerPartIsRefusedWithBothSizes) {
   // 1.2 mm of three beads are less than 20.4 - 19.1 mm.
   EXPECT_NO_THROW(placeIn(ramp(), test::boxBetween({0, 0, 0}, {19.3, 0.4, 5}), std::nullopt));

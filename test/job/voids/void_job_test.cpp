@@ -68,6 +68,21 @@ TEST_F(VoidJobTest, FindsNothingInABoxThatIsFull) {
   }
 }
 
+// 10 mm that shrink by a fifth are printed 12.5 mm wide, and 2 mm that shrink by a third 3 mm high.
+TEST_F(VoidJobTest, TakesAPartThatShrinksAsItIsPrinted) {
+  job_.settings.compensation.shrink_xy = 0.2;
+  job_.settings.compensation.shrink_z = 1.0 / 3.0;
+  Toolpath program = linesFrom(0, 10, 6);
+  for (ToolpathLayer& layer : program.layers)
+    for (Path& path : layer.paths)
+      for (Point3& point : path.points) point.y() *= 1.25;
+  job_.offset = Point2(1.25, 1.25);
+  const VoidReport report = run(program);
+  EXPECT_TRUE(report.part.missing.empty());
+  ASSERT_EQ(report.layers.size(), 6U);
+  for (const LayerVoids& layer : report.layers) EXPECT_NEAR(layer.area_mm2, 156.25, 1e-6);
+}
+
 TEST_F(VoidJobTest, FindsWhereAProgramHasPutThePart) {
   const VoidReport report = run(linesFrom(20, 10, 4));
   EXPECT_NEAR(report.part.offset.x(), 20.0, 0.02);

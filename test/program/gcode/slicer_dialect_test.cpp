@@ -41,6 +41,7 @@ TEST(SlicerDialect, IsReportedByTheHeader) {
 TEST(SlicerDialect, ReportsTheFilament) {
   EXPECT_EQ(notesOf("G28\n; filament_diameter = 2.85\n").filament_diameter_mm, 2.85);
   EXPECT_EQ(notesOf(";   filamentDiameters,1.7|2.85\n").filament_diameter_mm, 1.7);
+  EXPECT_EQ(notesOf("; program.filament_diameter_mm = 2.85\n").filament_diameter_mm, 2.85);
   EXPECT_FALSE(notesOf("; filament_diameter = 0\n; filament used = 3.1mm").filament_diameter_mm);
 }
 

@@ -38,6 +38,9 @@ struct ComparedPart {
 /// @throws InvalidMesh, FileError
 ComparedPart readComparedPart(const std::string& part, const InputSettings& settings);
 
+/// The part as large as it is printed, for it shrinks (`compensation.shrink_*`).
+ComparedPart asPrinted(const ComparedPart& part, const JobSettings& settings);
+
 /// Finds the position of a part in a program, ignoring skirt, brim and start lines. If layers are level, x
 /// and y follow from the contours; otherwise from the middle of the bounding box of the part's beads. In z
 /// the bottom of the part is put at the bottom of the deposit; if layers are not level, at z = 0, provided

@@ -18,4 +18,9 @@ std::string settingComments(const JobSettings& settings);
 /// @throws FileError; InvalidConfig if it states none
 std::vector<PlacedSetting> statedSettings(const std::string& program_path);
 
+/// The settings with the shrinkage (`compensation.shrink_xy`, `compensation.shrink_z`) that the program
+/// states its part was enlarged for; as they are if it states none, or is no G-code.
+/// @throws FileError
+JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path);
+
 }  // namespace lamina

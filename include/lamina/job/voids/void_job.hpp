@@ -42,7 +42,8 @@ struct PlacedContours {
 /// bounding boxes of contours and deposit agree in their middle or on one side, or their centroids agree.
 /// Near each of these, positions that put the middle of the part on multiples of half a millimetre, as
 /// slicers do, are tried too. The candidate with the least uncovered and overfilled area on a few layers is
-/// used. Without a part, the contour of each layer is the area that its closed outer walls enclose.
+/// used. A part that shrinks (`compensation.shrink_*`) is as large as it is printed. Without a part, the
+/// contour of each layer is the area that its closed outer walls enclose.
 /// @throws InvalidMesh, FileError
 /// @throws InvalidInput if the bounding boxes of deposit and contour differ in size in most layers, as for
 ///   another part or scale; if most compared layers, or two in succession, have beads outside the part or

@@ -193,7 +193,7 @@ std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& reques
   if (!fill.runs.empty()) inside.start = lastPoint(fill.runs.back());
   const std::vector<FillPath> zigzags =
       isSolid(request)
-          ? inBestDirection(fill.links, inside, variableWidthRuns)
+          ? inBestDirection(fill.links, inside, variableWidthRunsWithJogs)
           : inBestDirection(offset(fill.links, -0.5 * (request.pitch_mm - narrowestBead(request))), inside,
                             rasterRuns);
   for (const FillPath& run : zigzags) fill.runs.push_back(run);

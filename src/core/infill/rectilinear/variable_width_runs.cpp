@@ -172,6 +172,11 @@ constexpr double kTurnReach = 0.43;
 constexpr double kNearTip = 0.3;
 /// Motions shorter than this are none [mm].
 constexpr double kShortest = 1e-4;
+/// Where a bead would turn back twice within this, in variable-width lines, it turns back once: between two
+/// passes that meet in a tip, the link would stop there at each corner for material that lies there already.
+constexpr double kLongestJog = 0.4;
+/// Beads are widened by at most this part for the beads of a jog.
+constexpr double kMostWidened = 0.1;
 
 /// How two passes are joined.
 struct VariableWidthLink {
@@ -183,15 +188,74 @@ struct VariableWidthLink {
   bool is_lower_longer = false;  ///< a border link lies on the longer pass
 };
 
+/// What becomes of the jogs of links.
+enum class Jogs { Kept, LeftOut };
+
+bool turnsBack(const Point2& a, const Point2& b, const Point2& c) { return (b - a).dot(c - b) < 0.0; }
+
+double motionArea(const FillPath& run, std::size_t i) {
+  return run.width_mm[i] * (run.points[i] - run.points[i - 1]).norm();
+}
+
+/// The run without the jogs of its links. What their beads would have filled goes into the motions up to the
+/// next jog.
+class JogRemoval {
+ public:
+  explicit JogRemoval(double line_width_mm) : longest_mm_(kLongestJog * line_width_mm) {}
+
+  FillPath without(const FillPath& run) {
+    kept_.points.reserve(run.points.size());
+    kept_.width_mm.reserve(run.points.size());
+    for (std::size_t i = 0; i < run.points.size(); ++i) {
+      if (isJog(run, i)) {
+        spread();
+        left_mm2_ += motionArea(run, i);
+        continue;
+      }
+      kept_.points.push_back(run.points[i]);
+      kept_.width_mm.push_back(run.width_mm[i]);
+      if (i > 0) left_mm2_ += motionArea(run, i) - motionArea(kept_, kept_.points.size() - 1);
+    }
+    spread();
+    return std::move(kept_);
+  }
+
+ private:
+  bool isJog(const FillPath& run, std::size_t i) const {
+    if (kept_.points.size() < 2 || i + 1 >= run.points.size()) return false;
+    const Point2& corner = kept_.points.back();
+    return (run.points[i] - corner).norm() < longest_mm_ &&
+           turnsBack(kept_.points.rbegin()[1], corner, run.points[i]) &&
+           turnsBack(corner, run.points[i], run.points[i + 1]);
+  }
+
+  /// Widens what came after the last jog by what is left of it, a little; the rest is left to what follows.
+  void spread() {
+    double kept_mm2 = 0.0;
+    for (std::size_t i = piece_; i < kept_.points.size(); ++i) kept_mm2 += motionArea(kept_, i);
+    const double more_mm2 = std::clamp(left_mm2_, -kMostWidened * kept_mm2, kMostWidened * kept_mm2);
+    for (std::size_t i = piece_; more_mm2 != 0.0 && i < kept_.points.size(); ++i)
+      kept_.width_mm[i] *= 1.0 + more_mm2 / kept_mm2;
+    left_mm2_ -= more_mm2;
+    piece_ = kept_.points.size();
+  }
+
+  double longest_mm_;
+  FillPath kept_;
+  std::size_t piece_ = 1;  ///< first motion after the last jog
+  double left_mm2_ = 0.0;  ///< that has to be filled besides
+};
+
 class VariableWidthTracer {
  public:
   VariableWidthTracer(const VariableWidthLines& lines, const BoustrophedonCells& sections,
-                      const RasterFrame& frame)
+                      const RasterFrame& frame, Jogs jogs)
       : lines_(lines),
         walk_(lines.walk),
         sections_(sections),
         frame_(frame),
-        line_width_(2.0 * walk_.raster().spacing_mm) {}
+        line_width_(2.0 * walk_.raster().spacing_mm),
+        jogs_(jogs) {}
 
   std::vector<FillPath> trace(const PassEntries& entries) {
     std::vector<FillPath> runs;
@@ -354,6 +418,7 @@ class VariableWidthTracer {
 
   void finish(FillPath& run, std::vector<FillPath>& runs) const {
     if (run.points.size() >= 2 && length(run.points) > kShortest) {
+      if (jogs_ == Jogs::LeftOut) run = JogRemoval(line_width_).without(run);
       for (Point2& point : run.points) point = frame_.outOfRaster(point);
       runs.push_back(std::move(run));
     }
@@ -365,6 +430,7 @@ class VariableWidthTracer {
   const BoustrophedonCells& sections_;
   const RasterFrame& frame_;
   double line_width_;
+  Jogs jogs_;
 };
 
 /// Lowest and highest point across the raster [mm].
@@ -402,13 +468,13 @@ class VariableWidthRegion {
     return ends;
   }
 
-  std::vector<FillPath> runs(const SectionTour& tour) const {
-    return VariableWidthTracer(lines_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
+  std::vector<FillPath> runs(const SectionTour& tour, Jogs jogs) const {
+    return VariableWidthTracer(lines_, sections_, frame_, jogs).trace(passesOf(sections_, walk_, tour));
   }
 
   /// @param from  where the nozzle comes from
   std::vector<FillPath> runsInOneSense(const Point2& from) const {
-    return VariableWidthTracer(lines_, sections_, frame_)
+    return VariableWidthTracer(lines_, sections_, frame_, Jogs::LeftOut)
         .trace(passesInOneSense(sections_, walk_, frame_.intoRaster(from)));
   }
 
@@ -456,14 +522,7 @@ std::vector<FillPath> runsInOneSense(const Regions& links, const InfillRequest& 
   return all;
 }
 
-}  // namespace
-
-double narrowestBead(const InfillRequest& request) {
-  return request.settings.raster.narrowest * request.pitch_mm;
-}
-
-std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request) {
-  if (request.advance == LineAdvance::OneSense) return runsInOneSense(links, request);
+std::vector<FillPath> runsInAnySense(const Regions& links, const InfillRequest& request, Jogs jogs) {
   std::vector<std::unique_ptr<VariableWidthRegion>> regions;
   std::vector<BoustrophedonCell> sections;
   std::vector<std::size_t> begin;
@@ -487,10 +546,25 @@ std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillReques
     const BorderConnection connection{
         narrowestBead(request), 2.0 * request.pitch_mm, request.settings.raster.longest_connection_mm,
         share * request.settings.raster.most_connection * area({links[region]})};
-    for (FillPath& run : connectAlongBorder(regions[region]->runs(within), {links[region]}, connection))
+    for (FillPath& run : connectAlongBorder(regions[region]->runs(within, jogs), {links[region]}, connection))
       runs.push_back(std::move(run));
   }
   return runs;
+}
+
+}  // namespace
+
+double narrowestBead(const InfillRequest& request) {
+  return request.settings.raster.narrowest * request.pitch_mm;
+}
+
+std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request) {
+  if (request.advance == LineAdvance::OneSense) return runsInOneSense(links, request);
+  return runsInAnySense(links, request, Jogs::LeftOut);
+}
+
+std::vector<FillPath> variableWidthRunsWithJogs(const Regions& links, const InfillRequest& request) {
+  return runsInAnySense(links, request, Jogs::Kept);
 }
 
 }  // namespace lamina

@@ -20,4 +20,8 @@ double narrowestBead(const InfillRequest& request);
 /// @param links  the area shrunk by half the narrowest bead, along whose outlines links run
 std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request);
 
+/// The same in any sense, with links that go to the border and back: between perimeters the beads that were
+/// widened instead would lap over by more than 3 % in layers of narrow areas.
+std::vector<FillPath> variableWidthRunsWithJogs(const Regions& links, const InfillRequest& request);
+
 }  // namespace lamina

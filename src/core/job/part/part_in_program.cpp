@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "job/part/part_reading.hpp"
+#include "job/part/shrinkage.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/job/voids/void_job.hpp"
@@ -97,6 +99,12 @@ const char* toString(PartFinding finding) {
 ComparedPart readComparedPart(const std::string& part, const InputSettings& settings) {
   NoProgress nobody;
   return {part, readPart(part, settings, nobody).mesh};
+}
+
+ComparedPart asPrinted(const ComparedPart& part, const JobSettings& settings) {
+  SourcePart drawn;
+  drawn.mesh = part.mesh;
+  return {part.name, grownForShrinkage(std::move(drawn), settings).mesh};
 }
 
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,

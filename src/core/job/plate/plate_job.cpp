@@ -16,6 +16,7 @@
 #include "job/modes/part_slicing.hpp"
 #include "job/part/part_reading.hpp"
 #include "job/part/shrinkage.hpp"
+#include "job/plate/aids_apart.hpp"
 #include "job/plate/arrangement.hpp"
 #include "job/plate/head_clearance.hpp"
 #include "job/plate/laid_beside.hpp"
@@ -478,6 +479,7 @@ class PlateSlicer {
           {item.name, &plan.toolpath, isInclined(job_.settings) ? layers_from_part * on_bed : on_bed});
       labelled.push_back({item.name, moved(hullOf(item.mesh), item.place.at_mm)});
     }
+    requireAidsApart(parts);
     const PlanSettings& settings = job_.settings.planning;
     Toolpath plate =
         order.empty() ? mergedByLayer(parts, settings.travel) : partAfterPart(parts, order, settings.travel);

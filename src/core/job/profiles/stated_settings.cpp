@@ -3,9 +3,12 @@
 #include "lamina/job/profiles/stated_settings.hpp"
 
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/job/program_file.hpp"
 
 namespace lamina {
 namespace {
@@ -27,6 +30,10 @@ std::string inOneLine(const std::string& text) {
   return line;
 }
 
+bool decidesSize(const PlacedSetting& placed) {
+  return placed.setting.key == "compensation.shrink_xy" || placed.setting.key == "compensation.shrink_z";
+}
+
 std::string asItWas(const std::string& line) {
   std::string text;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -38,19 +45,8 @@ std::string asItWas(const std::string& line) {
   return text;
 }
 
-}  // namespace
-
-std::string settingComments(const JobSettings& settings) {
-  JobSettings stated = settings;
-  SettingsSchema schema;
-  describe(schema, stated);
-  std::string text = std::string(kBegin) + "\n";
-  for (const Setting& setting : schema.settings())
-    text += "; " + setting.key + kIs + inOneLine(setting.get()) + "\n";
-  return text + kEnd + "\n";
-}
-
-std::vector<PlacedSetting> statedSettings(const std::string& program_path) {
+/// Nothing if the program states no settings.
+std::optional<std::vector<PlacedSetting>> settingsIn(const std::string& program_path) {
   requireReadable(program_path);
   std::ifstream program(program_path);
   if (!program) throw FileError("cannot open '" + program_path + "'");
@@ -66,8 +62,34 @@ std::vector<PlacedSetting> statedSettings(const std::string& program_path) {
       stated.push_back({{line.substr(2, is - 2), asItWas(line.substr(is + 3))}, number});
     is_inside = is_inside || line == kBegin;
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string settingComments(const JobSettings& settings) {
+  JobSettings stated = settings;
+  SettingsSchema schema;
+  describe(schema, stated);
+  std::string text = std::string(kBegin) + "\n";
+  for (const Setting& setting : schema.settings())
+    text += "; " + setting.key + kIs + inOneLine(setting.get()) + "\n";
+  return text + kEnd + "\n";
+}
+
+std::vector<PlacedSetting> statedSettings(const std::string& program_path) {
+  if (auto stated = settingsIn(program_path)) return *std::move(stated);
   throw InvalidConfig(program_path + ": states no settings; expected a program that was sliced with " +
                       "program.settings_in_file true");
+}
+
+JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path) {
+  if (!isGcodeFile(program_path)) return settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const PlacedSetting& placed : settingsIn(program_path).value_or(std::vector<PlacedSetting>()))
+    if (decidesSize(placed)) schema.set(placed.setting.key, placed.setting.text);
+  return settings;
 }
 
 }  // namespace lamina

@@ -10,6 +10,7 @@
 
 #include "job/modes/wall_contours.hpp"
 #include "job/part/part_reading.hpp"
+#include "job/part/shrinkage.hpp"
 #include "job/voids/part_placing.hpp"
 #include "job/voids/same_part.hpp"
 #include "lamina/base/error.hpp"
@@ -120,7 +121,7 @@ PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progre
   if (job.offset) requireFinite(*job.offset);
   requireLevelLayers(program, "the void map");
   if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}, {}};
-  const SourcePart source = readPart(job.part, job.settings.input, progress);
+  const SourcePart source = grownForShrinkage(readPart(job.part, job.settings.input, progress), job.settings);
   const Box3 box = boundingBox(source.mesh);
   const std::vector<Section> sections =
       sliceMesh(source.mesh, source.topology, cutHeights(program, riseOf(program, box.low.z())), progress);

@@ -185,8 +185,10 @@ void readComment(std::string_view comment, SlicerContext& context) {
 }
 
 std::optional<double> statedFilamentDiameter(std::string_view comment) {
-  if (!takePrefix(comment, "filament_diameter = ") && !takePrefix(comment, "filamentDiameters,"))
-    return std::nullopt;
+  const bool is_stated = takePrefix(comment, "filament_diameter = ") ||
+                         takePrefix(comment, "program.filament_diameter_mm = ") ||
+                         takePrefix(comment, "filamentDiameters,");
+  if (!is_stated) return std::nullopt;
   const auto diameter_mm = number<double>(comment);
   const bool is_possible = diameter_mm && *diameter_mm > 0.1 && *diameter_mm <= 20.0;
   return is_possible ? diameter_mm : std::nullopt;

@@ -40,8 +40,8 @@ std::optional<LayerMark> readLayerMark(std::string_view comment);
 void readComment(std::string_view comment, SlicerContext& context);
 
 /// The filament diameter [mm] for which the program was made, if the comment states it: `filament_diameter =
-/// 1.75` as PrusaSlicer and Slic3r write it, `filamentDiameters,1.75|2.85` as Simplify3D does. Of several the
-/// first.
+/// 1.75` as PrusaSlicer and Slic3r write it, `filamentDiameters,1.75|2.85` as Simplify3D does (of several the
+/// first), `program.filament_diameter_mm = 2.85` among the settings of a program of Lamina.
 std::optional<double> statedFilamentDiameter(std::string_view comment);
 
 /// A motion with the properties that the comments state; all others have their defaults.
