@@ -192,6 +192,29 @@ TEST(AdaptedLayers, BetweenComputedOnesAreInterpolatedOnTheWall) {
   }
 }
 
+TEST(AdaptedLayers, KeepTheCornersOfTheWall) {
+  // 10 mm wide, faces upright from 2.93 to 7.07 mm; layers stay behind at the edges, which lean more below.
+  SlicingSettings slicing;
+  slicing.layer_height_mm = slicing.first_layer_height_mm = 0.2;
+  NoProgress progress;
+  const AdaptedLayers layers = adaptedLayers(makePart("bevelled_cube"), slicing, {}, progress);
+  std::size_t upright = 0;
+  for (const AdaptedLayer& layer : layers.layers)
+    for (const AdaptedCurve& curve : layer.curves) {
+      Box3 box{curve.points.front(), curve.points.front()};
+      for (const Point3& point : curve.points) box.include(point);
+      if (box.low.z() < 3.0 || box.high.z() > 7.0) continue;
+      ++upright;
+      for (const Point2& corner : {Point2(5, 5), Point2(-5, 5), Point2(-5, -5), Point2(5, -5)}) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Point3& point : curve.points)
+          nearest = std::min(nearest, (point.head<2>() - corner).norm());
+        EXPECT_LE(nearest, 0.01) << box.low.z();
+      }
+    }
+  EXPECT_GE(upright, 10U);
+}
+
 TEST(AdaptedLayers, HolesAreWallsOfTheirOwn) {
   const AdaptedLayers layers = adapted(makePart("tube"), 0.5, coarse());
   for (const AdaptedLayer& layer : layers.layers) {

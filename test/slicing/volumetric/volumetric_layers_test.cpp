@@ -241,6 +241,17 @@ std::string refusalOf(const Mesh& mesh, const VolumetricRequest& request = usual
   return "";
 }
 
+/// That a refusal names a place in a frustum that opens by 60 deg, 6 mm high.
+void expectInFrustum(const std::string& refusal, const std::string& before) {
+  const std::size_t at = refusal.find(before);
+  ASSERT_NE(at, std::string::npos) << refusal;
+  double x = 0.0, y = 0.0, z = 0.0;
+  ASSERT_EQ(std::sscanf(refusal.c_str() + at + before.size(), "%lf, %lf, %lf) mm", &x, &y, &z), 3) << refusal;
+  EXPECT_GE(z, 0.0) << refusal;
+  EXPECT_LE(z, 6.0) << refusal;
+  EXPECT_LE(std::hypot(x, y), 10.0 + z * std::sqrt(3.0) + 0.1) << refusal;
+}
+
 TEST(VolumetricLayers, RefuseWhatDoesNotStand) {
   // A tip on the bed.
   const std::string refusal =
@@ -281,6 +292,33 @@ TEST(VolumetricLayers, RefuseWhatStaysUnsupported) {
   EXPECT_NE(refusal.find("overhang by more than 20 deg"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("most of it at ("), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("expected at most 1 %"), std::string::npos) << refusal;
+}
+
+// With one thickness allowed, rounding to bits and bends at the foot's edge leave some of it thicker or
+// thinner.
+TEST(VolumetricLayers, RefuseThicknessBeyondItsBounds) {
+  VolumetricRequest request = usualRequest();
+  request.settings.max_thickness = 1.0;
+  const std::string refusal = refusalOf(test::openingFrustum(60.0, 6.0), request);
+  EXPECT_NE(refusal.find("outside 0.200 to 0.200 mm in "), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("expected at most 0.5 % (volumetric.largest_uneven_percent)"), std::string::npos)
+      << refusal;
+  expectInFrustum(refusal, "farthest at (");
+  request.settings.largest_uneven_percent = 5.0;
+  EXPECT_EQ(refusalOf(test::openingFrustum(60.0, 6.0), request), "");
+}
+
+// Layers in coarse cells end in the air before the wall.
+TEST(VolumetricLayers, RefuseWhatLayersLeaveOpen) {
+  VolumetricRequest request = usualRequest(0.8);
+  request.settings.largest_uncovered_percent = 1.0;
+  const std::string refusal = refusalOf(test::openingFrustum(60.0, 6.0), request);
+  EXPECT_NE(refusal.find("(0.52 % in none of level layers)"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("expected at most 1 % beyond level layers (volumetric.largest_uncovered_percent)"),
+            std::string::npos)
+      << refusal;
+  expectInFrustum(refusal, "most of it around (");
+  EXPECT_EQ(refusalOf(test::openingFrustum(60.0, 6.0), usualRequest(0.8)), "");
 }
 
 TEST(VolumetricLayers, RefuseMeshesThatHoldNothing) {

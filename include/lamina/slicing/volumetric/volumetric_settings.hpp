@@ -40,6 +40,12 @@ struct VolumetricSettings {
   double largest_pendant_percent = 0.5;
   /// Greatest share of the surface that overhangs by more than allowed before the part is refused.
   double largest_unsupported_percent = 5.0;
+  /// Greatest share of the volume in which layers may be thinner or thicker than they should before the part
+  /// is refused.
+  double largest_uneven_percent = 0.5;
+  /// Greatest share of the volume that layers may leave open, beyond what level layers leave, or cover twice,
+  /// before the part is refused.
+  double largest_uncovered_percent = 5.0;
   /// Greatest share of the deposited volume that may be left out where a head that tilts would collide, in
   /// any slicing mode.
   double largest_left_out_percent = 0.5;

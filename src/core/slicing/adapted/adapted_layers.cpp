@@ -224,6 +224,29 @@ AdaptedLayers together(const std::vector<std::vector<AdaptedLayer>>& walls, cons
   return result;
 }
 
+/// What the layers of a part are grown from.
+struct GrownFrom {
+  const Mesh& mesh;
+  const std::vector<WallStrand>& strands;
+  const GrowthSteps& steps;
+  const Finish& finish;
+  CornerPath corners;
+};
+
+/// @throws Unsliceable as `growWall`, or if curves of a layer cross
+AdaptedLayers grownLayers(const GrownFrom& from, Progress& progress) {
+  std::vector<std::vector<AdaptedLayer>> walls;
+  walls.reserve(from.strands.size());
+  for (const WallStrand& strand : from.strands)
+    walls.push_back(growWall(from.mesh, strand, from.steps, from.corners, progress));
+  AdaptedLayers layers = together(walls, from.finish);
+  for (std::size_t k = 0; k < layers.layers.size(); ++k) {
+    requireNoCrossing(layers.layers[k].curves, k, from.mesh);
+    requireNoCrossing(layers.layers[k].outlines, k, from.mesh);
+  }
+  return layers;
+}
+
 }  // namespace
 
 AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, const AdaptedSettings& settings,
@@ -236,15 +259,15 @@ AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, co
   if (mesh.triangles.empty()) throw InvalidMesh("the mesh has 0 triangles; expected a closed part");
   requireNoSteepFaces(mesh, settings.max_lean_deg);
   const std::vector<double> heights = contourHeights(boundingBox(mesh), steps);
-  std::vector<std::vector<AdaptedLayer>> walls;
-  for (const WallStrand& strand : wallStrands(mesh, heights, settings.step_mm, progress))
-    walls.push_back(growWall(mesh, strand, steps, progress));
-  AdaptedLayers layers = together(walls, {settings, slicing.layer_height_mm});
-  for (std::size_t k = 0; k < layers.layers.size(); ++k) {
-    requireNoCrossing(layers.layers[k].curves, k, mesh);
-    requireNoCrossing(layers.layers[k].outlines, k, mesh);
+  const std::vector<WallStrand> strands = wallStrands(mesh, heights, settings.step_mm, progress);
+  const Finish finish{settings, slicing.layer_height_mm};
+  // Along an edge that leans more than the faces beside it layers stay behind, and where edges meet a corner
+  // may go on along the other one: a part that is refused for that is sliced with its corners cut off.
+  try {
+    return grownLayers({mesh, strands, steps, finish, CornerPath::along_edge}, progress);
+  } catch (const Unsliceable&) {
+    return grownLayers({mesh, strands, steps, finish, CornerPath::nearest_wall}, progress);
   }
-  return layers;
 }
 
 }  // namespace lamina

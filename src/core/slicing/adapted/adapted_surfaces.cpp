@@ -42,11 +42,13 @@ double heightAt(const AdaptedLayer& layer, const OutlinePlace& place) {
          place.fraction * points[(place.segment + 1) % points.size()].z();
 }
 
-/// The way level from a place on a loop to where the wall is half way down the layer.
-Point2 halfWayDown(const AdaptedLayer& layer, const OutlinePlace& place) {
+/// The way level from a place on a loop to the tip of a layer whose middle lies on the wall there: down the
+/// wall by half the layer, and from there up again across the layer, which need not be level.
+Point2 wayToRim(const AdaptedLayer& layer, const OutlinePlace& place, const Point3& normal) {
   const AdaptedCurve& loop = loopsOf(layer)[place.outline];
-  const auto ofPoint = [&loop](std::size_t i) -> Point2 {
-    return -0.5 * loop.height_mm[i] * loop.axis[i].head<2>();
+  const auto ofPoint = [&](std::size_t i) -> Point2 {
+    const Point3& axis = loop.axis[i];
+    return 0.5 * loop.height_mm[i] * (normal.dot(axis) * normal - axis).head<2>();
   };
   return (1.0 - place.fraction) * ofPoint(place.segment) +
          place.fraction * ofPoint((place.segment + 1) % loop.points.size());
@@ -118,7 +120,7 @@ TipSurface tipSurface(const AdaptedLayer& layer, double step_mm) {
   tip.normals = normalsOf(tip.mesh);
   Mesh moved = tip.mesh;
   for (std::size_t i = 0; i < region.border.size(); ++i)
-    moved.vertices[i].head<2>() += halfWayDown(layer, region.border[i]);
+    moved.vertices[i].head<2>() += wayToRim(layer, region.border[i], tip.normals[i]);
   // At sharp edges and where points lie close together the rim may pass its neighbours: it stays there.
   if (!isFolded(moved, tip.mesh)) tip.mesh = std::move(moved);
   return tip;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -43,13 +44,15 @@ struct GrownPoint {
   double height_mm = 0.0;   ///< from the curve below
   double foot_mm = 0.0;     ///< length along the curve below at which it stands
   bool is_reached = false;  ///< whether the flat contour was near enough, so that its point was taken
+  bool is_corner =
+      false;  ///< whether it belongs on the edge of the wall that the corner of the contour is on
 };
 
 /// Draws flat contours of one wall down to a layer's height from the curve below.
 class Growth {
  public:
   /// @param strand  must outlive this
-  explicit Growth(const WallStrand& strand);
+  Growth(const WallStrand& strand, CornerPath corners);
 
   /// The lowest flat contour above a height, or the number of contours if there is none.
   std::size_t firstAbove(double z) const;
@@ -63,12 +66,20 @@ class Growth {
   GrownPoint towards(std::size_t level, std::size_t i, const PlacedCurve& below, double height_mm) const;
 
  private:
+  /// Where the wall is beside a point between two flat contours: the place on each.
+  struct WallBeside {
+    CurvePlace low;
+    CurvePlace high;
+  };
+
+  WallBeside besideOn(std::size_t above, const GrownPoint& grown) const;
   void returnToWall(GrownPoint& grown, std::size_t level, double foot_z, const PlacedCurve& below) const;
   void putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& below) const;
 
   const WallStrand& strand_;
   std::vector<double> heights_;
   std::vector<std::unique_ptr<CurvePlaces>> places_;
+  std::vector<std::vector<std::size_t>> corners_;  ///< of each flat contour, the points at which it turns
 };
 
 constexpr double kGrowthRounding = 1e-9;  // of a height, so that vertical walls keep their own points
@@ -103,11 +114,51 @@ AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, 
   return curve;
 }
 
-Growth::Growth(const WallStrand& strand) : strand_(strand) {
+constexpr double kCornerTurn = 20.0 * M_PI / 180.0;  // sides of facets of round walls turn by less
+// Corners farther apart than this many times the distance of their contours are not of one edge.
+constexpr double kFarthestCorner = 4.0;
+
+std::vector<std::size_t> cornersOf(const std::vector<Point3>& points) {
+  const std::size_t count = points.size();
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 from = points[i] - points[(i + count - 1) % count];
+    const Point3 to = points[(i + 1) % count] - points[i];
+    if (std::atan2(from.cross(to).norm(), from.dot(to)) > kCornerTurn) corners.push_back(i);
+  }
+  return corners;
+}
+
+Growth::Growth(const WallStrand& strand, CornerPath corners) : strand_(strand) {
   for (const WallContour& contour : strand.levels) {
     heights_.push_back(contour.points.front().z());
     places_.push_back(std::make_unique<CurvePlaces>(contour.points, true));
+    corners_.push_back(corners == CornerPath::along_edge ? cornersOf(contour.points)
+                                                         : std::vector<std::size_t>());
   }
+}
+
+/// The corner of a contour nearest to a point, as a place on it.
+CurvePlace nearestCorner(const std::vector<Point3>& points, const std::vector<std::size_t>& corners,
+                         const Point3& point) {
+  CurvePlace nearest;
+  nearest.distance_mm = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : corners) {
+    const double distance = (points[i] - point).norm();
+    if (distance < nearest.distance_mm) nearest = {i, 0.0, points[i], distance};
+  }
+  return nearest;
+}
+
+Growth::WallBeside Growth::besideOn(std::size_t above, const GrownPoint& grown) const {
+  if (grown.is_corner) {
+    const CurvePlace high = nearestCorner(strand_.levels[above].points, corners_[above], grown.point);
+    const CurvePlace low = nearestCorner(strand_.levels[above - 1].points, corners_[above - 1], high.point);
+    const double apart_mm = heights_[above] - heights_[above - 1];
+    if (low.distance_mm <= kFarthestCorner * apart_mm) return {low, high};
+  }
+  const CurvePlace high = places_[above]->nearest(grown.point);
+  return {places_[above - 1]->nearest(high.point), high};
 }
 
 std::size_t Growth::firstAbove(double z) const {
@@ -117,8 +168,7 @@ std::size_t Growth::firstAbove(double z) const {
 void Growth::putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& below) const {
   const CurvePlace foot = below.places.nearest(grown.point);
   grown.foot_mm = below.length.at(foot);
-  const CurvePlace high = places_[above]->nearest(grown.point);
-  const CurvePlace low = places_[above - 1]->nearest(high.point);
+  const auto [low, high] = besideOn(above, grown);
   grown.point = onLineAt(low.point, high.point, foot.point, grown.height_mm);
   grown.axis =
       (directionAt(strand_.levels[above].axis, high) + directionAt(below.curve.axis, foot)).normalized();
@@ -142,12 +192,13 @@ GrownPoint Growth::towards(std::size_t level, std::size_t i, const PlacedCurve& 
   const Point3& wanted = contour.points[i];
   const CurvePlace foot = below.places.nearest(wanted);
   if (foot.distance_mm <= height_mm * (1.0 + kGrowthRounding))
-    return {wanted, contour.axis[i], foot.distance_mm, below.length.at(foot), true};
+    return {wanted, contour.axis[i], foot.distance_mm, below.length.at(foot), true, false};
   const Point3 foot_axis = directionAt(below.curve.axis, foot);
   GrownPoint grown;
   grown.point = foot.point + height_mm / foot.distance_mm * (wanted - foot.point);
   grown.axis = (contour.axis[i] + foot_axis).normalized();
   grown.height_mm = height_mm;
+  grown.is_corner = std::binary_search(corners_[level].begin(), corners_[level].end(), i);
   returnToWall(grown, level, foot.point.z(), below);
   return grown;
 }
@@ -434,8 +485,8 @@ void addLayers(std::vector<AdaptedLayer>& layers, std::vector<AdaptedCurve> curv
 }  // namespace
 
 std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
-                                   Progress& progress) {
-  const Growth growth(strand);
+                                   CornerPath corners, Progress& progress) {
+  const Growth growth(strand, corners);
   const std::size_t top = strand.levels.size() - 1;
   auto below = std::make_unique<PlacedCurve>(lowest(strand));
   std::vector<AdaptedLayer> layers;

@@ -134,21 +134,6 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-/// The sample with the most others around it: there is most of what is wrong.
-Point3 densest(const std::vector<Point3>& points, double within_mm) {
-  std::size_t most = 0;
-  Point3 densest = points.front();
-  for (const Point3& point : points) {
-    std::size_t near = 0;
-    for (const Point3& other : points)
-      if ((other - point).squaredNorm() <= within_mm * within_mm) ++near;
-    if (near <= most) continue;
-    most = near;
-    densest = point;
-  }
-  return densest;
-}
-
 /// The surface nearest to samples, and what of it is no farther from there than samples from each other.
 Mesh surfaceNear(const CurvedPart& part, const std::vector<Point3>& points, double spacing_mm) {
   std::vector<char> is_nearest(part.mesh.triangles.size(), 0);
@@ -221,7 +206,7 @@ Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
   const Complaint complaint = complaintOn(part, flaws);
   const double share =
       static_cast<double>(complaint.points.size()) / static_cast<double>(samples.points().size());
-  const Point3 where = densest(complaint.points, kSamePlace * samples.spacing());
+  const Point3 where = densestPlace(complaint.points, kSamePlace * samples.spacing());
   throw Unsliceable("curved layers do not suit this shape: " + rounded(100.0 * share, 1) + " %" +
                         complaint.reason + ", most of it around (" + rounded(where.x(), 1) + ", " +
                         rounded(where.y(), 1) + ", " + rounded(where.z(), 1) +
@@ -235,7 +220,7 @@ Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
 /// @throws Unsliceable always
 [[noreturn]] void refuseVoid(const CurvedPart& part, const PartSamples& samples, const CurvedFlaws& flaws,
                              double void_mm3) {
-  const Point3 where = densest(flaws.hollow, kSamePlace * samples.spacing());
+  const Point3 where = densestPlace(flaws.hollow, kSamePlace * samples.spacing());
   throw Unsliceable("curved layers do not suit this shape: a void of about " + rounded(void_mm3, 0) +
                         " mm3 would be left open around (" + rounded(where.x(), 1) + ", " +
                         rounded(where.y(), 1) + ", " + rounded(where.z(), 1) + ") mm; expected at most " +

@@ -16,6 +16,20 @@ constexpr std::uint64_t kSeed = 5;
 
 }  // namespace
 
+Point3 densestPlace(const std::vector<Point3>& points, double within_mm) {
+  std::size_t most = 0;
+  Point3 densest = points.front();
+  for (const Point3& point : points) {
+    std::size_t near = 0;
+    for (const Point3& other : points)
+      if ((other - point).squaredNorm() <= within_mm * within_mm) ++near;
+    if (near <= most) continue;
+    most = near;
+    densest = point;
+  }
+  return densest;
+}
+
 PartSamples::PartSamples(const Mesh& mesh, std::size_t count)
     : spacing_(std::cbrt(volume(mesh) / static_cast<double>(count))) {
   const Box3 box = boundingBox(mesh);

@@ -10,6 +10,10 @@
 
 namespace lamina {
 
+/// The point with the most others within a distance of it.
+/// @param points  one or more
+Point3 densestPlace(const std::vector<Point3>& points, double within_mm);
+
 /// Points spread evenly through the inside of a closed mesh: one at a random position in every cell of a
 /// cubic grid, the same ones for the same mesh. Points are stored in columns: those of a column share x and
 /// y, and ascend in z.

@@ -102,6 +102,7 @@ GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& latti
   GrownThickness thickness;
   double looked_at = 0.0;
   double beyond = 0.0;
+  double farthest = 0.0;
   for (std::uint32_t node = 0; node < cells.nodeCount(); ++node) {
     const GrowthSample& sample = lattice.samples()[node];
     if (!isGrown(sample)) continue;
@@ -123,6 +124,9 @@ GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& latti
     thickness.least = std::min(thickness.least, value);
     thickness.greatest = std::max(thickness.greatest, value);
     if (value < 1.0 - kBeyond || value > max_thickness * (1.0 + kBeyond)) beyond += cells.volume(node);
+    const double past = std::max(1.0 / value, value / max_thickness);
+    if (past > farthest) thickness.farthest = cells.middle(node);
+    farthest = std::max(farthest, past);
   }
   if (looked_at > 0.0) thickness.beyond = beyond / looked_at;
   return thickness;

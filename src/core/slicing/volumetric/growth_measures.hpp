@@ -39,6 +39,7 @@ struct GrownThickness {
   double greatest = 1.0;
   /// Share of the volume in which the thickness lies outside [1, max_thickness] by more than 2 %.
   double beyond = 0.0;
+  Point3 farthest = Point3::Zero();  ///< where it is farthest outside, by the ratio to the bound passed
 };
 
 /// Thickness of layers by least squares over neighbouring cells. Cells with a neighbour that grows another

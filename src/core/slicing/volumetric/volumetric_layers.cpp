@@ -14,9 +14,11 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/spatial/nearest_triangle.hpp"
 #include "lamina/geometry/spatial/signed_distance.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
+#include "slicing/adapted/mesh_region.hpp"
 #include "slicing/curved/layer_coverage.hpp"
 #include "slicing/curved/part_samples.hpp"
 #include "slicing/curved/shell_tidying.hpp"
@@ -30,6 +32,7 @@ constexpr double kLeastResting = 0.5;
 constexpr double kCarriedBeads = 4.0;  // squares of a bead that may hang from the rest of a piece
 // So many that 0.5 % of them are within 0.1 % of what they stand for.
 constexpr std::size_t kSamplesOfPart = 20000;
+constexpr double kNearTogether = 3.0;  // spacings of samples
 
 void requireClosed(const Mesh& mesh, const MeshTopology& topology) {
   if (topology.has_border) throw InvalidMesh("the mesh is open; volumetric layers need a closed one");
@@ -87,6 +90,28 @@ void requireSupported(const GrownPart& part, const HangingSurface& hanging) {
   throw Unsliceable(text, trianglesWhere(part.mesh, hanging.grown_by_triangle));
 }
 
+/// The faces about a place in the part: the nearest, and what is not much farther.
+Mesh facesAbout(const Mesh& mesh, const Point3& place, double around_mm) {
+  return facesNear(mesh, place, NearestTriangle(mesh).nearest(place).distance_mm + around_mm);
+}
+
+void requireEven(const GrownPart& part, const GrownThickness& thickness) {
+  const VolumetricSettings& settings = part.request.settings;
+  const double percent = 100.0 * thickness.beyond;
+  if (percent <= settings.largest_uneven_percent) return;
+  const double height_mm = part.request.slicing.layer_height_mm;
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "layers would be %.3f to %.3f mm thick, and outside %.3f to %.3f mm in %.2f %% of the part, "
+                "farthest at "
+                "%s; expected at most %.4g %% (volumetric.largest_uneven_percent): use smaller cells "
+                "(volumetric.cell_mm), allow thicker layers (volumetric.max_thickness), or turn the part",
+                thickness.least * height_mm, thickness.greatest * height_mm, height_mm,
+                settings.max_thickness * height_mm, percent, placeText(thickness.farthest).c_str(),
+                settings.largest_uneven_percent);
+  throw Unsliceable(text, facesAbout(part.mesh, thickness.farthest, 2.0 * part.cells().frame().voxel_mm));
+}
+
 /// Of growth from up [rad], below which 99.5 % of the volume stay.
 double usualTilt(const GrownPart& part) {
   std::vector<std::pair<double, double>> tilts;  // with the volume
@@ -131,6 +156,7 @@ void measureField(const GrownPart& part, VolumetricMeasures& measures) {
   measures.unsupported_mm2 = hanging.grown_mm2;
   requireReached(part, pendant, hanging);
   requireSupported(part, hanging);
+  requireEven(part, thickness);
 }
 
 /// Layers by the growth at which they begin and end.
@@ -205,6 +231,7 @@ void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surf
 struct CoverageShares {
   double open = 0.0;
   double twice = 0.0;
+  std::vector<Point3> wrong;  ///< samples in no layer or in several
 };
 
 CoverageShares sharesAbove(double bed_mm, const PartSamples& samples,
@@ -212,16 +239,24 @@ CoverageShares sharesAbove(double bed_mm, const PartSamples& samples,
   std::size_t above = 0;
   std::size_t open = 0;
   std::size_t twice = 0;
+  std::vector<Point3> wrong;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (samples.points()[i].z() < bed_mm) continue;
     ++above;
     if (counts[i] == 0) ++open;
     if (counts[i] > 1) ++twice;
+    if (counts[i] != 1) wrong.push_back(samples.points()[i]);
   }
   if (above == 0) return {};
   const auto whole = static_cast<double>(above);
-  return {static_cast<double>(open) / whole, static_cast<double>(twice) / whole};
+  return {static_cast<double>(open) / whole, static_cast<double>(twice) / whole, std::move(wrong)};
 }
+
+/// Layers as they are cut: level ones by their sections, others by their surfaces.
+struct CutLayers {
+  const std::vector<VolumetricLayer>& layers;
+  const std::vector<LayerSurface>& surfaces;
+};
 
 /// The layers of `planar` over the same bed.
 std::vector<Layer> levelLayersOf(const GrownPart& part, const MeshTopology& topology, Progress& progress) {
@@ -237,25 +272,44 @@ std::vector<Layer> levelLayersOf(const GrownPart& part, const MeshTopology& topo
   return layers;
 }
 
-/// What is in no layer and in more than one, above the bed.
-void measureCoverage(const GrownPart& part, const std::vector<VolumetricLayer>& layers,
-                     const std::vector<LayerSurface>& surfaces, VolumetricMeasures& measures,
-                     Progress& progress) {
-  std::vector<Layer> level;
-  for (const VolumetricLayer& layer : layers)
-    if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
-  const PartSamples samples(part.mesh, kSamplesOfPart);
-  const CoverageShares shares =
-      sharesAbove(part.bed_mm, samples, layerCounts(samples, {surfaces, level, {}}, progress));
-  measures.open = shares.open;
-  measures.twice = shares.twice;
-}
-
 /// What is in none of level layers, which end in steps at the skin as these do.
 double openOfLevelLayers(const GrownPart& part, const MeshTopology& topology, Progress& progress) {
   const PartSamples samples(part.mesh, kSamplesOfPart);
   const std::vector<Layer> layers = levelLayersOf(part, topology, progress);
   return sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, layers, {}}, progress)).open;
+}
+
+void requireCovered(const GrownPart& part, const CoverageShares& shares, double open_level,
+                    const PartSamples& samples) {
+  const double percent = 100.0 * (std::max(0.0, shares.open - open_level) + shares.twice);
+  const double most = part.request.settings.largest_uncovered_percent;
+  if (percent <= most || shares.wrong.empty()) return;
+  const double around_mm = kNearTogether * samples.spacing();
+  const Point3 where = densestPlace(shares.wrong, around_mm);
+  char text[400];
+  std::snprintf(
+      text, sizeof text,
+      "%.2f %% of the part would be in no layer (%.2f %% in none of level layers) and %.2f %% in more "
+      "than one, most of it around %s; expected at most %.4g %% beyond level layers "
+      "(volumetric.largest_uncovered_percent): use smaller cells (volumetric.cell_mm), thinner layers, "
+      "or turn the part",
+      100.0 * shares.open, 100.0 * open_level, 100.0 * shares.twice, placeText(where).c_str(), most);
+  throw Unsliceable(text, facesAbout(part.mesh, where, around_mm));
+}
+
+/// What is in no layer and in more than one, above the bed.
+void measureCoverage(const GrownPart& part, const MeshTopology& topology, const CutLayers& cut,
+                     VolumetricMeasures& measures, Progress& progress) {
+  std::vector<Layer> level;
+  for (const VolumetricLayer& layer : cut.layers)
+    if (!layer.plane.section.contours.empty()) level.push_back(layer.plane);
+  const PartSamples samples(part.mesh, kSamplesOfPart);
+  const CoverageShares shares =
+      sharesAbove(part.bed_mm, samples, layerCounts(samples, {cut.surfaces, level, {}}, progress));
+  measures.open = shares.open;
+  measures.twice = shares.twice;
+  measures.open_level = openOfLevelLayers(part, topology, progress);
+  requireCovered(part, shares, measures.open_level, samples);
 }
 
 /// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.
@@ -301,8 +355,7 @@ VolumetricLayers volumetricLayers(const Mesh& mesh, const MeshTopology& topology
       growthSurfaces(lattice, part.cells(), {bounds, is_level}, skin, progress);
   result.measures.left_out_mm3 = leaveOutCrumbs(surfaces, request.bead_mm, progress);
   measureResting(part, surfaces, result.measures, progress);
-  measureCoverage(part, result.layers, surfaces, result.measures, progress);
-  result.measures.open_level = openOfLevelLayers(part, topology, progress);
+  measureCoverage(part, topology, {result.layers, surfaces}, result.measures, progress);
   leanHead(part, surfaces, result.measures, progress);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!result.layers[i].plane.section.contours.empty()) ++result.measures.level_layers;

@@ -52,6 +52,13 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
   schema.number("volumetric.largest_unsupported_percent", settings.largest_unsupported_percent, {0.0, 100.0},
                 "Of the part's surface: how much may overhang by more than is taken before it is refused.");
   schema.number(
+      "volumetric.largest_uneven_percent", settings.largest_uneven_percent, {0.0, 100.0},
+      "Of the part's volume: how much may be in layers beyond their thickness before it is refused.");
+  schema.number(
+      "volumetric.largest_uncovered_percent", settings.largest_uncovered_percent, {0.0, 100.0},
+      "Of the part's volume: how much layers may leave open that level ones do not, or lay twice, before "
+      "it is refused.");
+  schema.number(
       "volumetric.largest_left_out_percent", settings.largest_left_out_percent, {0.0, 10.0},
       "Of what a head that tilts deposits, in any slicing mode: how much may be left out where it has no "
       "room.");
