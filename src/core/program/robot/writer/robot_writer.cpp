@@ -133,11 +133,20 @@ class RobotFiles {
            size.points + points + kFilePoints <= dialect_.limits.points;
   }
 
+  /// What a stretch takes of a file; what the language cannot express is refused with its place.
+  RobotFileSize sizeOf(const RobotStretch& stretch, const std::vector<RobotStatement>& statements) const {
+    try {
+      const auto trial = dialect_.open(site_);
+      for (const RobotStatement& statement : statements) trial->print(statement);
+      return trial->size();
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("the run from " + script_.place(stretch) + ": " + error.what());
+    }
+  }
+
   void place(const RobotStretch& stretch) {
     const std::vector<RobotStatement> statements = script_.statements(stretch);
-    const auto trial = dialect_.open(site_);
-    for (const RobotStatement& statement : statements) trial->print(statement);
-    const RobotFileSize needed = trial->size();
+    const RobotFileSize needed = sizeOf(stretch, statements);
     const bool is_new = stretch.begin == 0;
     if (!hasRoomFor(last().size(), needed.lines, needed.points)) {
       if (!is_new) openAt(script_.postureAtStart(stretch));
