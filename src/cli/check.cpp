@@ -15,10 +15,13 @@
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/program_file.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
 #include "lamina/kinematics/machine_choice.hpp"
 #include "lamina/program/gcode/early_end.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/nozzle_csv.hpp"
+#include "lamina/verification/collision/fence_distance.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -42,10 +45,18 @@ struct Checked {
   MachineCheck check;
   SingularBeads singular;
   std::optional<TimedRun> timed;
-  RunTime time;  ///< of that run
+  RunTime time;                            ///< of that run
+  std::optional<FenceDistance> fence;      ///< the nearest that a link comes to a body of the cell
+  std::optional<OverhangTotals> overhang;  ///< of an arm's program, along its tool axes
   /// Of a program that was cut off: a warning, for what is there can be run or not.
   std::optional<Finding> early_end;
 };
+
+nlohmann::ordered_json toJson(const std::optional<FenceDistance>& fence) {
+  if (!fence) return {};
+  return {{"distance_mm", fence->distance_mm}, {"link", fence->link},    {"body", fence->body + 1},
+          {"layer", fence->at.layer},          {"path", fence->at.path}, {"waypoint", fence->at.waypoint}};
+}
 
 std::vector<Finding> findingsOf(const MachineCheck& check) {
   std::vector<Finding> findings = check.faults;
@@ -85,6 +96,12 @@ void printJson(const Checked& checked, const std::string& machine) {
     json["slow_bead_share"] = checked.time.slow_bead_share;
   }
   json["unknown_way"] = check.unknown_way;
+  json["nearest_body"] = toJson(checked.fence);
+  json["overhang_mm"] = json["longest_overhang_mm"] = nlohmann::ordered_json();
+  if (checked.overhang) {
+    json["overhang_mm"] = checked.overhang->all.overhang_mm;
+    json["longest_overhang_mm"] = checked.overhang->longest_overhang_mm;
+  }
   json["singular_bead_share"] = checked.singular.share();
   json["least_singular_deg"] = checked.singular.least_deg;
   for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
@@ -99,6 +116,19 @@ void printSingular(const Checked& checked) {
   std::printf("singularity %.1f %% of the bead's waypoints are near one%s, %.2f deg the nearest: %s%s\n",
               100.0 * beads.share(), checked.check.isClear() ? " and within the joints' limits" : "",
               beads.least_deg, line.c_str(), toText(beads.at).c_str());
+}
+
+/// What the tool axis leaves without support where a table is held, and how near fences are.
+void printSurroundings(const Checked& checked) {
+  if (checked.overhang && checked.overhang->overhangs > 0)
+    std::printf(
+        "overhang    %zu %s, %.1f mm of bead with nothing below along the tool axis, the longest %.2f mm\n",
+        checked.overhang->overhangs, checked.overhang->overhangs == 1 ? "stretch" : "stretches",
+        checked.overhang->all.overhang_mm, checked.overhang->longest_overhang_mm);
+  if (checked.fence)
+    std::printf("nearest     link '%s' comes to %.1f mm of body %zu of the cell: %s\n",
+                checked.fence->link.c_str(), checked.fence->distance_mm, checked.fence->body + 1,
+                toText(checked.fence->at).c_str());
 }
 
 void print(const Finding& finding) {
@@ -129,6 +159,7 @@ void printText(const Checked& checked, const std::string& machine) {
     std::printf("unchecked   %s against %s\n", one.c_str(), other.c_str());
   if (!check.unknown_way.empty()) std::printf("unchecked   %s\n", check.unknown_way.c_str());
   printSingular(checked);
+  printSurroundings(checked);
   if (checked.timed)
     std::printf("print time  %s\nbelow feed  %.1f %% of the bead, at less than 95 %% of its feed\n",
                 durationText(checked.time.total_s).c_str(), 100.0 * checked.time.slow_bead_share);
@@ -165,6 +196,16 @@ std::optional<Finding> findingOf(const std::optional<EarlyEnd>& end, const Kinem
   return Finding{run.divided.originalOf(last), tip, "ends early", end->reason, end->line};
 }
 
+std::optional<FenceDistance> fenceOf(const KinematicModelRun& run, const CheckedMachine& machine) {
+  std::vector<JointPassage> passages;
+  passages.reserve(run.passages.size());
+  for (const RunPassage& passage : run.passages) passages.push_back(passage.joints);
+  std::optional<FenceDistance> fence = nearestToFences(
+      {run.toolpath(), run.bed_from_part, machine.model(), run.path}, passages, machine.bodies());
+  if (fence) fence->at = run.divided.originalOf(fence->at);
+  return fence;
+}
+
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
   const CheckedMachine machine(model);
@@ -174,6 +215,9 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   checked.check = checkRun(run, machine, settings.clearance, progress);
   checked.early_end = findingOf(end, run);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
+  checked.fence = fenceOf(run, machine);
+  if (isArm(model))
+    checked.overhang = totals(findOverhangs(run.toolpath(), run.bed_from_part, settings.overhang, progress));
   if (!run.path.isRunnable()) return checked;
   checked.timed = inTime(std::move(run), model, runSettings(settings).timing);
   checked.time = plannedTime(*checked.timed, model, settings.motion);

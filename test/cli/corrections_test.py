@@ -278,7 +278,7 @@ class RobotPrograms(unittest.TestCase):
     def test_arcs_are_not_written_as_outputs(self):
         length_mm, time_s = self.length_and_time(2, 1)
         self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
-        arcs = ("robot_program.process=schedules", "robot_program.start_schedule=6", "robot_program.weave_schedule=4")
+        arcs = ("robot_program.process=schedules", "robot_program.start_schedule=6", "robot_program.end_schedule=1", "robot_program.weave_schedule=4")
         for suffix, settings, outputs in (("ls", arcs, "'output 1'"), ("jbi", arcs, "'output 1'"),
                                           ("mod", ("rapid.process=arc", "rapid.seam_data=seam7"), "'set solicitudlaser'")):
             program, corrected = self.slice_again(suffix, "machine.name=irb_4600", *settings)

@@ -7,6 +7,7 @@
 import json
 import os
 import re
+import shutil
 import tempfile
 import unittest
 
@@ -83,6 +84,52 @@ class Robot(unittest.TestCase):
             refused = lamina("slice", part, "--machine", arm, *settings, "-o", os.path.join(folder, "tube.src"))
             self.assertNotEqual(refused.returncode, 0)
             self.assertIn("an arm of seven axes", refused.stderr)
+
+    def test_check_tells_how_near_fences_are_and_what_hangs(self):
+        examples = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "robots")
+        with tempfile.TemporaryDirectory() as folder:
+            part, points, cell = (os.path.join(folder, name) for name in ("tube.stl", "tube.csv", "cell"))
+            shutil.copytree(os.path.join(examples, "tilting_cell"), cell)
+            lamina("part", "tube", "--set", "radius_mm=50", "--set", "inner_radius_mm=46.8", "--set", "height_mm=1.6", "-o", part)
+            lamina("slice", part, *(word for setting in TUBE[1:] for word in ("--set", setting)), "-o", points)
+            self.write_wall(os.path.join(cell, "wall.stl"))
+            with open(os.path.join(cell, "cell.yaml"), encoding="utf-8") as file:
+                text = file.read()
+            found = {}
+            # Beyond the part, across: as much farther as it stands farther.
+            for x_mm in (2000, 2300):
+                with open(os.path.join(cell, "cell.yaml"), "w", encoding="utf-8") as file:
+                    file.write(text.replace("  bed:", f"  bodies: [{{mesh: wall.stl, xyz_mm: [{x_mm}, 0, 0]}}]\n  bed:"))
+                found[x_mm] = reported("check", points, "--machine", os.path.join(cell, "cell.yaml"))
+            nearest = found[2000]["nearest_body"]
+            self.assertEqual(nearest["body"], 1)
+            self.assertAlmostEqual(found[2300]["nearest_body"]["distance_mm"] - nearest["distance_mm"], 300.0, delta=0.01)
+            self.assertIn(f"comes to {found[2300]['nearest_body']['distance_mm']:.1f} mm of body 1 of the cell",
+                          lamina("check", points, "--machine", os.path.join(cell, "cell.yaml")).stdout)
+            self.assertEqual(found[2000]["overhang_mm"], 0.0)
+            self.hangs_aside(points)
+
+    def write_wall(self, path):
+        """A triangle at x = 0, 4 m wide and 4 m high, of no thickness."""
+        with open(path, "w", encoding="utf-8") as file:
+            corners = "".join(f"vertex 0 {y} {z}\n" for y, z in ((-2000, -100), (2000, -100), (0, 8000)))
+            file.write(f"solid wall\nfacet normal 1 0 0\nouter loop\n{corners}endloop\nendfacet\nendsolid wall\n")
+
+    def hangs_aside(self, points):
+        """A bead of 60 mm, and one of 80 mm on its end."""
+        rows = [(0, 0, "outer_wall", 0.0, 0.8), (0, 0, "outer_wall", 60.0, 0.8), (0, 1, "travel", 60.0, 0.8), (0, 1, "travel", 60.0, 1.6),
+                (1, 0, "outer_wall", 60.0, 1.6), (1, 0, "outer_wall", 140.0, 1.6)]
+        with open(points, "w", encoding="utf-8") as file:
+            file.write("layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s\n")
+            for layer, path, role, x_mm, z_mm in rows:
+                bead = "0,0,100" if role == "travel" else "1.6,0.8,20"
+                file.write(f"{layer},{path},{role},0,{x_mm},0,{z_mm},0,1,0,0,{bead}\n")
+        hanging = reported("check", points, "--machine", "irb_4600")
+        self.assertIsNone(hanging["nearest_body"])
+        # The bead below ends half a width behind its end, and a quarter more is enough.
+        self.assertAlmostEqual(hanging["overhang_mm"], 80.0 - 0.75 * 1.6, delta=0.3)
+        self.assertEqual(hanging["longest_overhang_mm"], hanging["overhang_mm"])
+        self.assertIn("overhang    1 stretch, ", lamina("check", points, "--machine", "irb_4600").stdout)
 
     def test_the_rest_of_a_program_is_a_program_of_its_own(self):
         with tempfile.TemporaryDirectory() as folder:

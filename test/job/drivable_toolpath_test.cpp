@@ -85,5 +85,46 @@ TEST(DrivableToolpath, AsksForNothingThatTrajectoriesCannotExpress) {
   EXPECT_THROW(requireDrivable(bead), InvalidInput);
 }
 
+std::string refusalOfUnit(const DriveCheckSettings& unit, const std::string& sheet) {
+  try {
+    requireSameDriveSettings(unit, sheet);
+    return "";
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+}
+
+TEST(DriveSettings, OfUnitAndDriverAreAlikeOrNamed) {
+  DriveCheckSettings driver;
+  EXPECT_EQ(refusalOfUnit({}, driveSettingsSheet(driver)), "");
+  EXPECT_NE(driveSettingsSheet(driver).find("joints.yaw: free\n"), std::string::npos);
+  driver.joints.yaw = YawChoice::Held;
+  driver.clearance.spacing_mm = 3.5;
+  // Each reads this its own way: the driver has check_clearance.
+  driver.clearance.need = ClearanceNeed::Never;
+  const std::string refusal = refusalOfUnit({}, driveSettingsSheet(driver));
+  EXPECT_NE(refusal.find("clearance.spacing_mm is '"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("' for the unit and '3.5' for its driver; "), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("joints.yaw is 'free' for the unit and 'held' for its driver; expected them alike"),
+            std::string::npos)
+      << refusal;
+  EXPECT_EQ(refusal.find("clearance.need"), std::string::npos) << refusal;
+  DriveCheckSettings same = driver;
+  same.clearance.need = ClearanceNeed::Always;
+  EXPECT_EQ(refusalOfUnit(same, driveSettingsSheet(driver)), "");
+}
+
+TEST(DriveSettings, OfAnotherReleaseDiffer) {
+  const std::string sheet = driveSettingsSheet({});
+  const std::string line = "joints.yaw: free\n";
+  std::string older = sheet;
+  older.erase(older.find(line), line.size());
+  EXPECT_NE(refusalOfUnit({}, older).find("joints.yaw is 'free' for the unit and not known for its driver"),
+            std::string::npos);
+  EXPECT_NE(refusalOfUnit({}, sheet + "joints.new: 1\n")
+                .find("joints.new is not known for the unit and '1' for its driver"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace lamina

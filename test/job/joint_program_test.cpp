@@ -413,6 +413,12 @@ TEST_F(JointProgramTest, FanucsListingsMoveByCoordOverABedThatTurns) {
   EXPECT_NE(listing.find("GP2:\n\tUF : 4, UT : 1,"), std::string::npos);
   EXPECT_NEAR(totals(readBack()).deposition_mm, totals(sliced.toolpath).deposition_mm, 0.05);
   job_.settings.program.robot.fanuc.is_coordinated = false;
+  const std::string refused = refusal("irb_4600_turntable", "alone.ls");
+  EXPECT_NE(refused.find("fanuc.coordinated is false, and axis external_1 turns the bed to"),
+            std::string::npos)
+      << refused;
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+  job_.settings.joints.external = ExternalChoice::Held;
   slice("irb_4600_turntable", "alone.ls");
   EXPECT_EQ(readFile(job_.output).find("COORD"), std::string::npos);
 }

@@ -39,6 +39,17 @@ struct DriveCheckSettings {
   ClearanceSettings clearance;
 };
 
+/// The settings by which a toolpath is checked, "joints.yaw: free" on a line each, in the order of their
+/// keys: all of joints.* and clearance.*, but clearance.need, which each node reads its own way.
+std::string driveSettingsSheet(const DriveCheckSettings& settings);
+
+/// Refuses settings of a unit that differ from those of its driver: what the unit lets into its queue is to
+/// be what the driver runs.
+/// @param sheet  that of the driver (`driveSettingsSheet`)
+/// @throws InvalidConfig naming each key that differs, with both values; a key that one of them lacks, as one
+/// of another release does, differs
+void requireSameDriveSettings(const DriveCheckSettings& unit, const std::string& sheet);
+
 /// The joints by which a machine or robot drives a toolpath, once reach, limits and collisions are checked
 /// (`checkRun`).
 /// @param found  called with the result of the check, also if there are no findings

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/settings_schema.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "lamina/toolpath/process_levels.hpp"
@@ -34,6 +39,24 @@ void requireToolpath(std::string_view text) {
   throw InvalidProgram(
       "line 1 is '" + line +
       "'; expected the header of a toolpath, as `lamina slice part.stl -o part.csv` writes it");
+}
+
+constexpr const char* kEachItsOwn = "clearance.need";
+constexpr const char* kBetween = ": ";  // key and value
+
+std::map<std::string, std::string> valuesIn(const std::string& sheet) {
+  std::map<std::string, std::string> values;
+  std::istringstream lines(sheet);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(kBetween);
+    if (at != std::string::npos) values.emplace(line.substr(0, at), line.substr(at + 2));
+  }
+  return values;
+}
+
+std::string shownValue(const std::map<std::string, std::string>& values, const std::string& key) {
+  const auto found = values.find(key);
+  return found == values.end() ? "not known" : "'" + found->second + "'";
 }
 
 }  // namespace
@@ -62,6 +85,35 @@ KinematicModelRun drivableRun(ToolpathOnBed placed, const CheckedMachine& machin
   found(check);
   requireClear(check, machine.model());
   return run;
+}
+
+std::string driveSettingsSheet(const DriveCheckSettings& settings) {
+  DriveCheckSettings copy = settings;
+  SettingsSchema schema;
+  describe(schema, copy.joints);
+  describe(schema, copy.clearance);
+  std::map<std::string, std::string> values;
+  for (const Setting& setting : schema.settings())
+    if (setting.key != kEachItsOwn) values.emplace(setting.key, setting.get());
+  std::string sheet;
+  for (const auto& [key, value] : values) sheet.append(key).append(kBetween).append(value).append("\n");
+  return sheet;
+}
+
+void requireSameDriveSettings(const DriveCheckSettings& unit, const std::string& sheet) {
+  const std::map<std::string, std::string> own = valuesIn(driveSettingsSheet(unit));
+  const std::map<std::string, std::string> driver = valuesIn(sheet);
+  std::set<std::string> keys;
+  for (const auto* side : {&own, &driver})
+    for (const auto& [key, value] : *side) keys.insert(key);
+  std::string differing;
+  for (const std::string& key : keys) {
+    const std::string here = shownValue(own, key);
+    const std::string there = shownValue(driver, key);
+    if (here != there) differing += key + " is " + here + " for the unit and " + there + " for its driver; ";
+  }
+  if (differing.empty()) return;
+  throw InvalidConfig(differing + "expected them alike: jobs are checked by what they are driven by");
 }
 
 }  // namespace lamina

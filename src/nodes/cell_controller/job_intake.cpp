@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "drive_settings.hpp"
 #include "job_rules.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/cell/machine_sheet.hpp"
@@ -28,7 +29,7 @@ class NodeProgress final : public Progress {
 }  // namespace
 
 JobIntake::JobIntake(ros::NodeHandle node, ArtefactStore& artefacts, CellControllerSettings settings)
-    : artefacts_(artefacts), settings_(std::move(settings)), spinner_(1, &callbacks_) {
+    : node_(node), artefacts_(artefacts), settings_(std::move(settings)), spinner_(1, &callbacks_) {
   node.setCallbackQueue(&callbacks_);
   service_ = node.advertiseService(names::kEnqueueJob, &JobIntake::onEnqueue, this);
   spinner_.start();
@@ -65,6 +66,7 @@ bool JobIntake::onEnqueue(lamina_msgs::EnqueueJob::Request& request,
 }
 
 std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request) {
+  if (settings_.executor == ExecutorKind::Driver) requireDriveSettings(node_, settings_.drive);
   const std::filesystem::path path(request.program);
   const std::string file = path.filename();
   const std::string name = request.name.empty() ? file : request.name;

@@ -43,6 +43,7 @@ class JobIntake {
   /// Returns once the journal's thread has added it.
   std::int64_t add(NewJob job);
 
+  ros::NodeHandle node_;
   ArtefactStore& artefacts_;
   CellControllerSettings settings_;
   std::mutex mutex_;

@@ -118,7 +118,8 @@ void JogDriver::give(const std::string& holder, const std::string& frame, const 
   state_.frame = frame;
   if (lease_.holder(now.toSec()).empty()) failure_.clear();
   try {
-    std::string refusal = is_blocked_ ? "a job is under way" : owner_.refusal(holder);
+    std::string refusal = is_blocked_ ? "a job is under way; expected its end, or its abort, before a jog"
+                                      : owner_.refusal(holder);
     if (refusal.empty()) refusal = lease_.renew(holder, now.toSec());
     if (refusal.empty() && !failure_.empty())
       refusal = failure_ + "; the machine is jogged again once no order has come for jog.lease_s";

@@ -11,6 +11,7 @@
 
 #include "correction_messages.hpp"
 #include "drive_messages.hpp"
+#include "drive_settings.hpp"
 #include "joint_messages.hpp"
 #include "lamina/base/clock.hpp"
 #include "latched.hpp"
@@ -95,6 +96,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
       gate_(node, names::kDriveToolpath, owner_),
       pulses_(settings.guard_socket, [this] { return pulse(); }) {
+  tellDriveSettings(node, {settings_.run.joints, settings_.clearance});
   // Plans that this node publishes take no toolpath's place: that may be driven once more.
   const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
       [this](const auto& event) {

@@ -114,14 +114,37 @@ SettingProbe rapidValuesProbe() {
 
 /// Of all that the plate's program lays.
 constexpr char kAtOneSpeed[] =
-    "robot_program.process=schedules;feed.outer_wall_mm_s=20;feed.inner_wall_mm_s=20;feed.infill_mm_s=20;"
+    "robot_program.process=schedules;robot_program.start_schedule=1;robot_program.end_schedule=1;"
+    "feed.outer_wall_mm_s=20;feed.inner_wall_mm_s=20;feed.infill_mm_s=20;"
     "feed.skin_mm_s=20;feed.top_skin_mm_s=20;feed.skirt_mm_s=20";
+
+/// Of arcs that start and end by a schedule.
+constexpr char kByArc[] =
+    "robot_program.process=schedules;robot_program.start_schedule=1;robot_program.end_schedule=1";
 
 /// Mass and centre are set together.
 constexpr char kLoaded[] = "robot_program.tool_mass_kg=1;robot_program.tool_centre_of_gravity_mm=0,0,50";
 
 SettingProbe robotProbe(const char* name, const std::string& suffix, std::vector<SettingRow> rows) {
   return {name, std::string(kSmall) + "machine.name=irb_4600", programOf(kPlate, suffix), std::move(rows)};
+}
+
+SettingProbe fanucProbe() {
+  return robotProbe(
+      "Fanuc TP", ".ls",
+      {{"robot_program.date=2026-01-31"},
+       {"robot_program.process=schedules", "robot_program.start_schedule=1;robot_program.end_schedule=1"},
+       {"robot_program.start_schedule=2", kByArc},
+       {"robot_program.end_schedule=2", kByArc},
+       {"robot_program.weave_schedule=2", kByArc},
+       {"fanuc.cnt=50"},
+       {"fanuc.joint_3_from_2=0"},
+       {"fanuc.flip=negative"},
+       {"fanuc.turn_axes=1,4"},
+       {"fanuc.payload=2"},
+       {"fanuc.arc_equipment=2", kByArc},
+       {"fanuc.weld_speed=schedule", kAtOneSpeed},
+       {"fanuc.max_lines=100", "robot_program.allow_cut=true"}});
 }
 
 std::vector<SettingProbe> robotProbes() {
@@ -143,9 +166,11 @@ std::vector<SettingProbe> robotProbes() {
                       {"robot_program.joint_signs=1,1,-1,1,1,1"},
                       {"robot_program.joint_zeros_deg=0,-90,90,0,0,0"},
                       {"krl.arc_on=ARC({schedule})",
-                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules"},
+                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules;"
+                       "robot_program.start_schedule=1;robot_program.end_schedule=1"},
                       {"krl.arc_off=OFF({schedule})",
-                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules"},
+                       "krl.arc_on=ON();krl.arc_off=OFF();robot_program.process=schedules;"
+                       "robot_program.start_schedule=1;robot_program.end_schedule=1"},
                       {"krl.points=dat"},
                       {"krl.advance=3"},
                       {"krl.turn_speed_deg_s=100"},
@@ -156,24 +181,13 @@ std::vector<SettingProbe> robotProbes() {
                       {"urscript.acceleration_m_s2=1"},
                       {"urscript.joint_acceleration_rad_s2=1"},
                       {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
-          robotProbe("Fanuc TP", ".ls",
-                     {{"robot_program.date=2026-01-31"},
-                      {"robot_program.process=schedules"},
-                      {"robot_program.start_schedule=2", "robot_program.process=schedules"},
-                      {"robot_program.end_schedule=2", "robot_program.process=schedules"},
-                      {"robot_program.weave_schedule=2", "robot_program.process=schedules"},
-                      {"fanuc.cnt=50"},
-                      {"fanuc.joint_3_from_2=0"},
-                      {"fanuc.flip=negative"},
-                      {"fanuc.turn_axes=1,4"},
-                      {"fanuc.payload=2"},
-                      {"fanuc.arc_equipment=2", "robot_program.process=schedules"},
-                      {"fanuc.weld_speed=schedule", kAtOneSpeed},
-                      {"fanuc.max_lines=100", "robot_program.allow_cut=true"}}),
+          fanucProbe(),
           {"a listing over a table that turns",
            std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
            programOf(kPlate, ".ls"),
-           {{"fanuc.coordinated=false"}, {"fanuc.positioner_frame=2"}, {"fanuc.positioner_tool=2"}}},
+           {{"fanuc.coordinated=false", "joints.external=held"},
+            {"fanuc.positioner_frame=2"},
+            {"fanuc.positioner_tool=2"}}},
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
                       {"inform.corner_level=2"},

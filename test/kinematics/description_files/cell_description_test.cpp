@@ -139,13 +139,20 @@ TEST_F(CellFolder, ControllersAreWhatACellStates) {
   EXPECT_EQ(controller->joint_3_from_2, -0.5);
   EXPECT_EQ(controller->tool_number, 3);
   EXPECT_EQ(controller->frame_number, 4);
+  // The first of Yaskawa and Fanuc, which is no empty entry.
+  for (const char* kind : {"yaskawa", "fanuc"}) {
+    const auto bare = armController(cell(plain + "  controller: {kind: " + kind + ", tool_number: 0}\n"));
+    ASSERT_TRUE(bare) << kind;
+    EXPECT_EQ(bare->tool_number, 0) << kind;
+  }
   for (const auto& [entry, what] :
        {std::pair("{kind: siemens}", "is 'siemens'; expected abb, kuka, fanuc, yaskawa or ur"),
         std::pair("{sign: [1, 1, 1, 1, 1, 1]}", "has no kind"),
         std::pair("{kind: kuka, sign: [1, 1]}", "has 2 numbers; expected 6"),
         std::pair("{kind: kuka, sign: [0.5, 1, 1, 1, 1, 1]}", "has the sign 0.5; expected 1 or -1"),
         std::pair("{kind: kuka, j3_from_j2: -1}", "expected it with fanuc alone"),
-        std::pair("{kind: kuka, tool_number: 0}", "is 0; expected a whole number, 1 to 32"),
+        std::pair("{kind: kuka, tool_number: 0}", "has a number of 0 with kind 'kuka'; expected 1 or more"),
+        std::pair("{kind: yaskawa, tool_number: -1}", "is -1; expected a whole number, 0 to 32"),
         std::pair("{kind: abb, tool_number: 2}", "more than its kind with kind 'abb'")}) {
     const std::string refusal = failureOf(plain + "  controller: " + entry + "\n");
     EXPECT_NE(refusal.find(what), std::string::npos) << refusal;

@@ -368,6 +368,32 @@ TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
   EXPECT_GE(lead.points[0].norm(), 5.0 - pitch_mm - 0.3);
 }
 
+// A ring of 1 mm is 6.28 mm round.
+TEST(Leads, AsLongAsTheirClosedRunAreRefused) {
+  const auto refusal = [](const LeadSettings& lead) {
+    Toolpath toolpath = tube(1.0, 1);
+    try {
+      addLeads(toolpath, lead);
+      return std::string();
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string line = refusal(straightLead(6.5));
+  EXPECT_EQ(line.find("layer 0 at 0.5 mm, path 1: a lead is 6.5 mm long (lead.length_mm); must be less than "
+                      "the closed run, 6.28"),
+            0U)
+      << line;
+  EXPECT_EQ(refusal(straightLead(6.2)), "");
+  LeadSettings arc;
+  arc.out = LeadShape::Arc;
+  arc.radius_mm = 3.0;
+  arc.sweep_deg = 180.0;
+  EXPECT_NE(refusal(arc).find("a lead is 9.42478 mm long (lead.radius_mm, lead.sweep_deg)"),
+            std::string::npos)
+      << refusal(arc);
+}
+
 TEST(Leads, DoNotLieAlongTheirOwnBead) {
   // A square that starts amid a side: the tangent is the side.
   Path square = depositedBead({{20, 0, 0.5}, {20, 20, 0.5}, {-20, 20, 0.5}, {-20, -20, 0.5}, {20, -20, 0.5}});

@@ -87,6 +87,22 @@ TEST_P(DryFlag, IsReadBackWithTheSameToolpath) {
   EXPECT_EQ(plain.equipment.process.count("dry run by variable 3"), 0U);
 }
 
+// A look at a variable of the controller may stop it from looking ahead: amid a bead the tip would stop.
+TEST(DryFlagOfKrl, IsReadAtRestForLevelsThatChangeOnTheWay) {
+  RobotProgramSettings settings = withDryFlag();
+  settings.levels = "laser_power_w=1*0.0025, wire_speed_mm_s=2*0.01";
+  const std::string text =
+      robotFiles(RobotLanguage::Krl, test::withValues(test::twoLayers(), 1), settings)[0].text;
+  EXPECT_EQ(timesIn(text, "()\nDECL BOOL lamina_dry\n"), 1U) << text;
+  EXPECT_EQ(timesIn(text, "\nlamina_dry=$FLAG[3]\nIF NOT $FLAG[3] THEN\n$OUT[1]=TRUE\nENDIF\n"),
+            timesIn(text, "$OUT[1]=TRUE"));
+  EXPECT_GT(timesIn(text, "TRIGGER"), 0U);
+  EXPECT_EQ(timesIn(text, "\nIF NOT lamina_dry THEN\nTRIGGER "), timesIn(text, "TRIGGER"));
+  // Without such levels the program is as it was.
+  settings.levels.clear();
+  EXPECT_EQ(timesIn(robotFiles(RobotLanguage::Krl, test::twoLayers(), settings)[0].text, "lamina_dry"), 0U);
+}
+
 TEST_P(DryFlag, IsRefusedRoundAnythingButTheProcess) {
   RobotFile file = robotFiles(GetParam(), test::twoLayers(), withDryFlag())[0];
   switch (GetParam()) {

@@ -262,6 +262,20 @@ TEST(RobotArcs, RefuseWhatALanguageDoesNotHave) {
   settings = byArc();
   settings.krl.arc_off = settings.krl.arc_on;
   EXPECT_TRUE(hasText(refusal(RobotLanguage::Krl, settings), "must differ"));
+  // None that somebody has chosen.
+  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform}) {
+    settings = byArc();
+    settings.arc.start_schedule = 0;
+    EXPECT_TRUE(
+        hasText(refusal(language, settings),
+                "robot_program.start_schedule is 0 with robot_program.process 'schedules'; expected"));
+    settings = byArc();
+    settings.arc.end_schedule = 0;
+    EXPECT_TRUE(hasText(refusal(language, settings), "robot_program.end_schedule is 0"));
+  }
+  settings.krl.arc_on = "ARC_ON(WDAT1)";
+  settings.krl.arc_off = "ARC_OFF(WDAT1)";
+  EXPECT_EQ(refusal(RobotLanguage::Krl, settings), "");
   settings = {};
   settings.arc.weave_schedule = 2;
   EXPECT_TRUE(hasText(refusal(RobotLanguage::Fanuc, settings), "robot_program.weave_schedule is 2"));

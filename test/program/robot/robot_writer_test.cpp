@@ -322,10 +322,28 @@ TEST(RobotProgram, RefusesWhatControllersCannotHave) {
   small.krl.max_mb = 0.0001;
   EXPECT_TRUE(
       holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, toolpath, small); }), "expected 100 at most"));
+  RobotProgramSettings bare;
+  bare.tool_number = 0;
+  EXPECT_TRUE(holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, toolpath, bare); }),
+                    "robot_program.tool_number is 0; expected 1 at least in KRL, whose TOOL_DATA has no 0"));
+  for (const RobotLanguage language : {RobotLanguage::Fanuc, RobotLanguage::Inform})
+    EXPECT_EQ(refusalOf([&] { robotFiles(language, toolpath, bare); }), "") << toString(language);
+  bare.tool_number = 1;
+  bare.frame_number = 0;
+  EXPECT_TRUE(
+      holds(refusalOf([&] { robotFiles(RobotLanguage::Krl, toolpath, bare); }), "whose BASE_DATA has no 0"));
   Toolpath far = toolpath;
-  far.layers[1].paths[0].points[1].x() = 99999.9999;
-  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform})
+  for (const RobotLanguage language : {RobotLanguage::Krl, RobotLanguage::Fanuc, RobotLanguage::Inform}) {
+    far.layers[1].paths[0].points[1].x() = 99999.9994;
     EXPECT_EQ(refusalOf([&] { robotFiles(language, far); }), "") << toString(language);
+    // 100000.000 once rounded.
+    far.layers[1].paths[0].points[1].x() = -99999.9996;
+    const std::string refusal = refusalOf([&] { robotFiles(language, far); });
+    EXPECT_TRUE(holds(refusal, "the run from layer ")) << refusal;
+    EXPECT_TRUE(holds(refusal, ": a coordinate is -100000 mm; must be within -99999.999 to 99999.999 mm in " +
+                                   std::string(toString(language))))
+        << refusal;
+  }
 }
 
 TEST(RobotProgram, ProcessValuesNeedOutputsWithinTheirBounds) {

@@ -47,8 +47,8 @@ enum class RobotProcess : std::uint8_t {
 /// Statements of an arc package.
 struct ArcSettings {
   RobotProcess process = RobotProcess::Outputs;
-  int start_schedule = 1;  ///< number, on the controller, of the schedule by which an arc starts
-  int end_schedule = 1;    ///< number of the schedule by which an arc ends
+  int start_schedule = 0;  ///< number, on the controller, of the schedule by which an arc starts; 0 for none
+  int end_schedule = 0;    ///< number of the schedule by which an arc ends; 0 for none
   int weave_schedule = 0;  ///< number of the schedule by which an arc weaves; 0 for none
 };
 

@@ -142,6 +142,13 @@ class CellReader {
  private:
   std::string placed(const std::string& path) const { return (folder_ / path).lexically_normal().string(); }
 
+  std::string mesh(const StrictYaml& node) const {
+    std::string path = placed(node.text());
+    if (!isMeshOfBodies(path)) node.refuse("is '" + node.text() + "'; expected STL, OBJ or PLY");
+    if (!std::filesystem::exists(path)) node.refuse("is '" + node.text() + "', but there is no file " + path);
+    return path;
+  }
+
   CellArm arm(const StrictYaml& node) const {
     CellArm arm;
     for (const auto& [key, value] : node.entries({"urdf", "base", "flange", "flange_turn_deg", "limits"})) {
@@ -209,7 +216,7 @@ class CellReader {
       if (key == "mass_kg" && !(tool.mass_kg > 0.0 && tool.mass_kg <= kHeaviestCellTool))
         value.refuse("is " + numberText(tool.mass_kg) + " kg; expected more than 0, 1000 kg at most");
       if (key == "bodies")
-        for (const std::string& mesh : value.texts()) tool.meshes.push_back(placed(mesh));
+        for (const StrictYaml& piece : value.pieces()) tool.meshes.push_back(mesh(piece));
       if (is_axis && tool.axis != "x" && tool.axis != "y" && tool.axis != "z")
         value.refuse("is '" + tool.axis + "'; expected x, y or z");
     }
@@ -236,7 +243,7 @@ class CellReader {
   CellBody body(const StrictYaml& node) const {
     CellBody body;
     for (const auto& [key, value] : node.entries({"mesh", "xyz_mm", "rpy_deg"})) {
-      if (key == "mesh") body.mesh = placed(value.text());
+      if (key == "mesh") body.mesh = mesh(value);
       if (key == "xyz_mm") body.at.xyz_mm = vectorFrom(value);
       if (key == "rpy_deg") body.at.rpy_deg = vectorFrom(value);
     }

@@ -32,8 +32,8 @@ double shareFrom(const StrictYaml& node) {
 
 int numberFrom(const StrictYaml& node, double last) {
   const double number = node.number();
-  if (!(number >= 1.0 && number <= last) || number != std::round(number))
-    node.refuse("is " + numberText(number) + "; expected a whole number, 1 to " + numberText(last));
+  if (!(number >= 0.0 && number <= last) || number != std::round(number))
+    node.refuse("is " + numberText(number) + "; expected a whole number, 0 to " + numberText(last));
   return static_cast<int>(number);
 }
 
@@ -68,6 +68,8 @@ ArmController armControllerFrom(const StrictYaml& node) {
     if (std::abs(sign) != 1.0) node.refuse("has the sign " + numberText(sign) + "; expected 1 or -1");
   if (controller.joint_3_from_2 && controller.kind != "fanuc")
     node.refuse("has j3_from_j2 with kind '" + controller.kind + "'; expected it with fanuc alone");
+  if (controller.kind == "kuka" && (controller.tool_number == 0 || controller.frame_number == 0))
+    node.refuse("has a number of 0 with kind 'kuka'; expected 1 or more: TOOL_DATA and BASE_DATA have no 0");
   const bool is_mapped = !controller.signs.empty() || !controller.zeros_deg.empty() ||
                          controller.tool_number || controller.frame_number;
   if (controller.kind == "abb" && is_mapped)

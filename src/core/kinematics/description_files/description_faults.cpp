@@ -70,7 +70,7 @@ class FaultCollector {
               "', which is COLLADA; expected STL or OBJ, as `assimp export` or Blender make of it");
       return;
     }
-    if (suffix != ".stl" && suffix != ".obj" && suffix != ".ply") {
+    if (!isMeshOfBodies(name)) {
       add("link", link, "has the collision mesh '" + name + "'; expected STL, OBJ or PLY");
       return;
     }
@@ -145,25 +145,27 @@ class FaultCollector {
     std::vector<std::string> roots;
     for (const std::string& link : links_)
       if (parent_of_.count(link) == 0) roots.push_back("'" + link + "'");
+    const std::vector<std::string> loop = linksOfLoop();
     if (links_.empty())
       faults_.emplace_back("there is no link");
-    else if (roots.empty())
-      faults_.emplace_back("links hang on each other in a loop; expected one that hangs on none");
     else if (roots.size() > 1)
       faults_.push_back("links " + listed(roots) + " hang on none; expected one such link, the root");
-    else if (hasLoop())
-      faults_.emplace_back("some links hang on each other in a loop");
+    if (!loop.empty())
+      faults_.push_back("links " + listed(loop) +
+                        " hang on each other in a loop; expected a tree: a rod that closes one is left out, "
+                        "and its joint mimics another");
   }
 
-  bool hasLoop() const {
+  /// The links of the first loop that there is; empty for a tree.
+  std::vector<std::string> linksOfLoop() const {
     for (const auto& [link, parent] : parent_of_) {
+      std::vector<std::string> loop = {"'" + link + "'"};
       std::string up = parent;
-      for (std::size_t step = 0; parent_of_.count(up) != 0; ++step) {
-        if (step > links_.size()) return true;
-        up = parent_of_.at(up);
-      }
+      for (; up != link && parent_of_.count(up) != 0 && loop.size() <= links_.size(); up = parent_of_.at(up))
+        loop.push_back("'" + up + "'");
+      if (up == link) return loop;
     }
-    return false;
+    return {};
   }
 
   static std::string types() { return listed({kJointTypes.begin(), kJointTypes.end()}); }
@@ -179,6 +181,11 @@ class FaultCollector {
 
 std::vector<std::string> descriptionFaults(const TiXmlElement& robot, const PackagePath& packages) {
   return FaultCollector(packages).of(robot);
+}
+
+bool isMeshOfBodies(const std::string& name) {
+  const std::string suffix = smallSuffix(name);
+  return suffix == ".stl" || suffix == ".obj" || suffix == ".ply";
 }
 
 std::string attributeOf(const TiXmlElement& element, const char* name) {

@@ -15,6 +15,9 @@ namespace lamina {
 /// Empty if it can be read.
 std::vector<std::string> descriptionFaults(const TiXmlElement& robot, const PackagePath& packages);
 
+/// Whether the suffix is of a format in which bodies are read.
+bool isMeshOfBodies(const std::string& name);
+
 /// Value of an attribute; empty if there is none.
 std::string attributeOf(const TiXmlElement& element, const char* name);
 

@@ -3,17 +3,33 @@
 #include "kinematics/description_files/flange.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "kinematics/model/link_motion.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
+namespace {
+
+/// The links on which none hangs.
+std::vector<std::string> endsOf(const urdf::ModelInterface& model) {
+  std::vector<std::string> ends;
+  for (const auto& [name, link] : model.links_)
+    if (link->child_links.empty()) ends.push_back("'" + name + "'");
+  return ends;
+}
+
+}  // namespace
 
 std::string flangeOf(const urdf::ModelInterface& model, const std::string& named) {
   for (const std::string& name : {named, std::string("tool0"), std::string("flange")}) {
     if (name.empty()) continue;
     if (model.getLink(name)) return name;
-    if (name == named) throw InvalidConfig("arm '" + model.getName() + "' has no link '" + name + "'");
+    if (name == named)
+      throw InvalidConfig("arm '" + model.getName() + "' has no link '" + name +
+                          "' (flange); expected one of " + listed(endsOf(model)) +
+                          ", or another of its links");
   }
   std::string tip;
   int most = -1;

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/planning/runs/bead_run_settings.hpp"
 #include "lamina/planning/runs/runs.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -464,8 +466,23 @@ class RunEndings {
 
   void addLead(std::size_t index, LeadEnd end) {
     const RunPlace& place = places_[index];
+    requireShorterThanRun(place, end);
     std::optional<Path> lead = layers_[place.layer].lead(place.path, end, count_.leads);
     (end == LeadEnd::In ? endsAt(index).in : endsAt(index).out) = std::move(lead);
+  }
+
+  /// A closed run has no room on either side for what is longer than itself. Loops are made smaller.
+  void requireShorterThanRun(const RunPlace& place, LeadEnd end) const {
+    const Path& path = pathAt(toolpath_, place);
+    const LeadShape shape = end == LeadEnd::In ? lead_.in : lead_.out;
+    if (!path.is_closed || (shape != LeadShape::Line && shape != LeadShape::Arc)) return;
+    const double whole_mm = length(path);
+    const double lead_mm =
+        shape == LeadShape::Line ? lead_.length_mm : lead_.radius_mm * toRadians(lead_.sweep_deg);
+    if (lead_mm < whole_mm) return;
+    throw InvalidInput(placeText(toolpath_, place) + ": a lead is " + numberText(lead_mm) + " mm long (" +
+                       (shape == LeadShape::Line ? "lead.length_mm" : "lead.radius_mm, lead.sweep_deg") +
+                       "); must be less than the closed run, " + numberText(whole_mm) + " mm");
   }
 
   void joinBefore(std::size_t index) {

@@ -52,10 +52,10 @@ void describeArc(SettingsSchema& schema, ArcSettings& arc) {
       "robot_program.process", arc.process,
       {{"outputs", RobotProcess::Outputs}, {"schedules", RobotProcess::Schedules}},
       "Whether the process is switched by outputs, or by statements of the arc package that name schedules.");
-  schema.integer("robot_program.start_schedule", arc.start_schedule, {1, 999},
-                 "Schedule on the controller by which an arc starts.");
-  schema.integer("robot_program.end_schedule", arc.end_schedule, {1, 999},
-                 "Schedule on the controller by which an arc ends.");
+  schema.integer("robot_program.start_schedule", arc.start_schedule, {0, 999},
+                 "Schedule on the controller by which an arc starts; 0 for none, which no arc can start by.");
+  schema.integer("robot_program.end_schedule", arc.end_schedule, {0, 999},
+                 "Schedule on the controller by which an arc ends; 0 for none, which no arc can end by.");
   schema.integer("robot_program.weave_schedule", arc.weave_schedule, {0, 999},
                  "Schedule on the controller by which it weaves while the arc burns; 0 for none.");
 }

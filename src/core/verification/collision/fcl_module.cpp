@@ -11,6 +11,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -113,6 +114,15 @@ bool meet(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const Collis
   return collide(fclShape(a), pose_a, fclShape(b), pose_b);
 }
 
+double apart(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,
+             const Eigen::Isometry3d& pose_b) {
+  if (collide(fclShape(a), pose_a, fclShape(b), pose_b)) return 0.0;
+  fcl::DistanceResultd result;
+  const double between = fcl::distance(fclShape(a).geometry.get(), pose_a, fclShape(b).geometry.get(), pose_b,
+                                       fcl::DistanceRequestd(), result);
+  return std::max(0.0, between - fclShape(a).margin - fclShape(b).margin);
+}
+
 /// Whether a box is so far from all triangles of a mesh that it meets none.
 bool isClearOf(const FclShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
                const Eigen::Isometry3d& box_pose) {
@@ -137,6 +147,7 @@ bool meetsBox(const CollisionShape& shape, const Eigen::Isometry3d& pose, const 
 // A name of C.
 extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
 extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
-  static constexpr lamina::FclModule kTable{&lamina::shapeOf, &lamina::meet, &lamina::meetsBox};
+  static constexpr lamina::FclModule kTable{&lamina::shapeOf, &lamina::meet, &lamina::apart,
+                                            &lamina::meetsBox};
   return &kTable;
 }

@@ -21,6 +21,9 @@ struct FclModule {
   std::shared_ptr<const CollisionShape> (*shape)(const BodyShape& shape);
   bool (*meet)(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,
                const Eigen::Isometry3d& pose_b);
+  /// Least distance [mm], 0 where they meet.
+  double (*apart)(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,
+                  const Eigen::Isometry3d& pose_b);
   bool (*meets_box)(const CollisionShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
                     const Eigen::Isometry3d& box_pose);
 };

@@ -78,6 +78,11 @@ bool Solid::meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const 
   return fclModule().meets_box(*geometry_, pose, box.size.cast<double>(), box.pose());
 }
 
+double Solid::distanceTo(const Solid& other, const Eigen::Isometry3d& other_pose,
+                         const Eigen::Isometry3d& pose) const {
+  return fclModule().apart(*geometry_, pose, *other.geometry_, other_pose);
+}
+
 bool Solid::meets(const Solid& other, const Eigen::Isometry3d& other_pose,
                   const Eigen::Isometry3d& pose) const {
   return fclModule().meet(*geometry_, pose, *other.geometry_, other_pose);

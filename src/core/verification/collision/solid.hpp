@@ -32,6 +32,10 @@ class Solid {
   bool meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const;
   bool meets(const Solid& other, const Eigen::Isometry3d& other_pose, const Eigen::Isometry3d& pose) const;
 
+  /// Least distance to another [mm], 0 where they meet.
+  double distanceTo(const Solid& other, const Eigen::Isometry3d& other_pose,
+                    const Eigen::Isometry3d& pose) const;
+
  private:
   BodyShape shape_;
   Box3 bounds_;  ///< bounding box of the shape in its own frame

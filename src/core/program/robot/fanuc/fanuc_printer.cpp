@@ -20,7 +20,8 @@ constexpr std::size_t kFanucNoteWidth = 32;
 constexpr std::size_t kFanucCommentWidth = 16;
 constexpr int kFanucDecimals = 3;
 constexpr double kLongestFanucWait = 327.67;  // s: 32767 hundredths
-constexpr double kFarthestFanuc = 1e5;        // mm: of the format %10.3f
+constexpr double kGreatestFanucLevel = 1e5;   // of an analogue output
+constexpr double kHeldTable = 5e-4;           // deg: what is written as 0.000
 constexpr int kMostArcEquipment = 5;
 constexpr int kWeldSpeedDecimals = 6;
 constexpr double kSameWeldSpeed = 1e-9;  // of it
@@ -34,9 +35,8 @@ std::string fanucSpeed(const TipMove& move, const RobotProgramSettings& settings
 }
 
 /// `%10.3f`, never -0.
-std::string fanucNumber(double value) {
-  if (!(std::abs(value) < kFarthestFanuc))
-    throw InvalidInput("a coordinate is " + numberText(value) + "; must be within 99 999 in a Fanuc listing");
+std::string fanucNumber(double value, const char* unit) {
+  requireInFormat(value, unit, RobotLanguage::Fanuc);
   const std::string digits = decimalText(value, kFanucDecimals);
   return std::string(digits.size() < 10 ? 10 - digits.size() : 0, ' ') + digits;
 }
@@ -52,6 +52,7 @@ class FanucPrinter : public RobotPrinter {
  public:
   explicit FanucPrinter(const RobotSite& site) : site_(site) {
     requireNoDrySpeed(site.settings, RobotLanguage::Fanuc);
+    requireSchedules(site.settings.arc);
     for (const JointKind kind : site.external) (kind == JointKind::Linear ? rails_ : turns_) += 1;
   }
 
@@ -132,21 +133,33 @@ class FanucPrinter : public RobotPrinter {
     const std::string point = openPoint("");
     for (std::size_t j = 0; j < 6; ++j)
       positions_ += (j % 3 == 0 ? (j > 0 ? ",\n\tJ" : "\tJ") : ",\tJ") + std::to_string(j + 1) + "=" +
-                    fanucNumber(move.joints.arm_deg[j]) + " deg";
+                    fanucNumber(move.joints.arm_deg[j], "deg") + " deg";
     closePoint(move.joints.external);
     lines_.push_back("J " + point + " " + trimmedDecimals(std::round(site_.settings.joint_speed_percent), 0) +
                      "% FINE   ");
   }
 
+  /// Without COORD points are taken over a frame that stands still, wherever the table has turned the bed.
+  void requireHeldTable(const std::vector<double>& external) const {
+    if (site_.settings.fanuc.is_coordinated || !site_.cell || !site_.cell->is_bed_carried) return;
+    for (std::size_t k = 0; k < external.size(); ++k)
+      if (site_.external[k] == JointKind::Rotary && std::abs(external[k]) > kHeldTable)
+        throw InvalidInput("fanuc.coordinated is false, and axis external_" + std::to_string(k + 1) +
+                           " turns the bed to " + numberText(external[k]) +
+                           " deg; expected true, or 0 deg (joints.external 'held')");
+  }
+
   void add(const TipMove& move) {
+    requireHeldTable(move.external);
     const std::string speed = speedOf(move);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;
-    positions_ += "\tX =" + fanucNumber(move.point.x()) + "  mm,\tY =" + fanucNumber(move.point.y()) +
-                  "  mm,\tZ =" + fanucNumber(move.point.z()) + "  mm,\n\tW =" + fanucNumber(angles.x_deg) +
-                  " deg,\tP =" + fanucNumber(angles.y_deg) + " deg,\tR =" + fanucNumber(angles.z_deg) +
-                  " deg";
+    positions_ +=
+        "\tX =" + fanucNumber(move.point.x(), "mm") + "  mm,\tY =" + fanucNumber(move.point.y(), "mm") +
+        "  mm,\tZ =" + fanucNumber(move.point.z(), "mm") + "  mm,\n\tW =" + fanucNumber(angles.x_deg, "deg") +
+        " deg,\tP =" + fanucNumber(angles.y_deg, "deg") + " deg,\tR =" + fanucNumber(angles.z_deg, "deg") +
+        " deg";
     closePoint(move.external);
     lines_.push_back("L " + point + " " + speed + " " +
                      (move.rests ? "FINE" : "CNT" + std::to_string(site_.settings.fanuc.cnt)) +
@@ -191,10 +204,10 @@ class FanucPrinter : public RobotPrinter {
     int turn = 0;
     for (std::size_t k = 0; k < external.size(); ++k) {
       if (site_.external[k] == JointKind::Linear)
-        positions_ += ",\n\tE" + std::to_string(++rail) + "=" + fanucNumber(external[k]) + "  mm";
+        positions_ += ",\n\tE" + std::to_string(++rail) + "=" + fanucNumber(external[k], "mm") + "  mm";
       else
-        turns +=
-            (turn > 0 ? ",\tJ" : "\tJ") + std::to_string(turn + 1) + "=" + fanucNumber(external[k]) + " deg",
+        turns += (turn > 0 ? ",\tJ" : "\tJ") + std::to_string(turn + 1) + "=" +
+                 fanucNumber(external[k], "deg") + " deg",
             ++turn;
     }
     const FanucSettings& fanuc = site_.settings.fanuc;
@@ -234,7 +247,7 @@ class FanucPrinter : public RobotPrinter {
 
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Fanuc);
-    if (!(std::abs(level.value) < kFarthestFanuc))
+    if (!(std::abs(level.value) < kGreatestFanucLevel))
       throw InvalidInput("analogue output " + std::to_string(level.output) + " is to be set to " +
                          numberText(level.value) + "; must be within 99 999 (robot_program.levels)");
     addProcess("  AO[" + std::to_string(level.output) + "]=" + trimmedDecimals(level.value, kFanucDecimals),

@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t kInformCommentWidth = 32;
 constexpr int kInformPositionDecimals = 3;     // mm
 constexpr int kInformAngleDecimals = 4;        // deg
-constexpr double kFarthestInform = 1e5;        // mm
 constexpr double kGreatestInformLevel = 14.0;  // V
 constexpr double kLongestInformWait = 655.35;  // s: 65535 hundredths
 constexpr double kMostPulses = 2e9;            // a whole number of 32 bits
@@ -36,6 +35,7 @@ class InformPrinter : public RobotPrinter {
  public:
   explicit InformPrinter(const RobotSite& site) : site_(site) {
     requireNoDrySpeed(site.settings, RobotLanguage::Inform);
+    requireSchedules(site.settings.arc);
     if (!site.external.empty())
       throw InvalidInput("the arm has " + std::to_string(site.external.size()) +
                          " external axes; expected none: jobs state them in pulses, which are not written");
@@ -146,9 +146,7 @@ class InformPrinter : public RobotPrinter {
   }
 
   void addPose(const TipMove& move) {
-    if (!(move.point.cwiseAbs().maxCoeff() < kFarthestInform))
-      throw InvalidInput("a point is at " + numberText(move.point.cwiseAbs().maxCoeff()) +
-                         " mm; must be within 99 999 mm in INFORM");
+    for (const double coordinate : move.point) requireInFormat(coordinate, "mm", RobotLanguage::Inform);
     state("USER",
           {"///USER " + std::to_string(site_.settings.frame_number), tool(), "///POSTYPE USER", "///RECTAN"});
     const std::string rconf = "///RCONF " + posture(move);

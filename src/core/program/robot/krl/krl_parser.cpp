@@ -147,6 +147,10 @@ class KrlParser {
       return;
     }
     if (is_speed_conditional_ || isDrySpeed(cursor)) return readDrySpeed(cursor);
+    if (cursor.take(kDryVariable)) {
+      cursor.expect("=");
+      return readFlag(cursor);
+    }
     if (cursor.take("LIN"))
       add(cursor, linear(cursor));
     else if (cursor.take("PTP"))
@@ -198,8 +202,9 @@ class KrlParser {
     if (is_speed_conditional_ && cursor.take("ENDIF")) {
       is_speed_conditional_ = false;
     } else if (!is_speed_conditional_ && cursor.take("DECL")) {
-      cursor.expect("REAL");
-      cursor.expect(kDrySpeedVariable);
+      const bool is_flag = cursor.take("BOOL");
+      if (!is_flag) cursor.expect("REAL");
+      cursor.expect(is_flag ? kDryVariable : kDrySpeedVariable);
     } else {
       cursor.expect(kDrySpeedVariable);
       cursor.expect("=");
@@ -208,14 +213,24 @@ class KrlParser {
     cursor.expectEnd();
   }
 
-  /// `NOT $FLAG[1] THEN`; without NOT, for the speed of a dry run.
+  /// `$FLAG[1]`, and nothing behind it.
+  static void readFlag(LineCursor& cursor) {
+    expectFlag(cursor);
+    cursor.expectEnd();
+  }
+
+  static void expectFlag(LineCursor& cursor) {
+    for (const char* text : {"$", "FLAG", "["}) cursor.expect(text);
+    cursor.integer(1, kMostOutputs, "the number of a flag");
+    cursor.expect("]");
+  }
+
+  /// `NOT $FLAG[1] THEN`, or `NOT lamina_dry THEN`; without NOT, for the speed of a dry run.
   void openCondition(LineCursor& cursor) {
     if (list_.isConditionOpen()) cursor.refuse("IF", "ENDIF before it");
     is_speed_conditional_ = !cursor.take("NOT");
     if (!is_speed_conditional_) list_.openDryCondition();
-    for (const char* text : {"$", "FLAG", "["}) cursor.expect(text);
-    cursor.integer(1, kMostOutputs, "the number of a flag");
-    cursor.expect("]");
+    if (is_speed_conditional_ || !cursor.take(kDryVariable)) expectFlag(cursor);
     cursor.expect("THEN");
     cursor.expectEnd();
   }

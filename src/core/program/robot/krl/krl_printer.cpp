@@ -21,25 +21,28 @@ constexpr int kKrlAngleDecimals = 4;     // deg
 constexpr int kKrlSpeedDecimals = 6;     // m/s
 constexpr int kKrlLevelDecimals = 6;
 constexpr double kGreatestKrlLevel = 1.0;  // of $ANOUT, as a share of 10 V
-constexpr double kFarthestKrl = 1e5;       // mm: what the format of positions holds
 constexpr double kMetreOfSpeed = 1e-3;     // m/s in mm/s
 
 /// Keywords, and the program that each program calls first.
 const std::vector<std::string_view> kKrlWords = {
-    "and",       "bas",     "bool",      "brake",      "case",   "channel", "char",    "circ",
-    "circ_rel",  "confirm", "const",     "continue",   "decl",   "def",     "default", "defdat",
-    "deffct",    "delay",   "do",        "else",       "end",    "enddat",  "endfct",  "endfor",
-    "endif",     "endloop", "endswitch", "endwhile",   "enum",   "error",   "exit",    "ext",
-    "extfct",    "false",   "for",       "frame",      "global", "goto",    "halt",    "if",
-    "import",    "int",     "interrupt", "is",         "lin",    "lin_rel", "loop",    "maximum",
-    "minimum",   "not",     "or",        "path",       "pos",    "prio",    "ptp",     "ptp_rel",
-    "public",    "pulse",   "real",      "repeat",     "resume", "return",  "sec",     "sensor_off",
-    "sensor_on", "signal",  "spline",    "spline_lin", "struc",  "switch",  "then",    "to",
-    "trigger",   "true",    "until",     "wait",       "when",   "while",   "with"};
+    "and",      "bas",        "bool",      "brake",    "case",       "channel",      "char",    "circ",
+    "circ_rel", "confirm",    "const",     "continue", "decl",       "def",          "default", "defdat",
+    "deffct",   "delay",      "do",        "else",     "end",        "enddat",       "endfct",  "endfor",
+    "endif",    "endloop",    "endswitch", "endwhile", "enum",       "error",        "exit",    "ext",
+    "extfct",   "false",      "for",       "frame",    "global",     "goto",         "halt",    "if",
+    "import",   "int",        "interrupt", "is",       "lamina_dry", "lamina_speed", "lin",     "lin_rel",
+    "loop",     "maximum",    "minimum",   "not",      "or",         "path",         "pos",     "prio",
+    "ptp",      "ptp_rel",    "public",    "pulse",    "real",       "repeat",       "resume",  "return",
+    "sec",      "sensor_off", "sensor_on", "signal",   "spline",     "spline_lin",   "struc",   "switch",
+    "then",     "to",         "trigger",   "true",     "until",      "wait",         "when",    "while",
+    "with"};
 
-void appendKrlExternal(const std::vector<double>& external, std::string& text) {
-  for (std::size_t k = 0; k < external.size(); ++k)
+void appendKrlExternal(const std::vector<double>& external, const std::vector<JointKind>& kinds,
+                       std::string& text) {
+  for (std::size_t k = 0; k < external.size(); ++k) {
+    requireInFormat(external[k], kinds[k] == JointKind::Linear ? "mm" : "deg", RobotLanguage::Krl);
     text += ",E" + std::to_string(k + 1) + " " + decimalText(external[k], kKrlAngleDecimals);
+  }
 }
 
 std::string krlLevel(int output, double value) {
@@ -79,6 +82,14 @@ void requireKrlTemplate(const std::string& key, const std::string& text) {
 void requireKrlArc(const RobotProgramSettings& settings) {
   requireKrlTemplate("krl.arc_on", settings.krl.arc_on);
   requireKrlTemplate("krl.arc_off", settings.krl.arc_off);
+  // A template may state what it needs by itself.
+  const auto takesSchedule = [](const std::string& text) {
+    return text.find("{schedule}") != std::string::npos;
+  };
+  if (takesSchedule(settings.krl.arc_on))
+    requireSchedule("robot_program.start_schedule", settings.arc.start_schedule);
+  if (takesSchedule(settings.krl.arc_off))
+    requireSchedule("robot_program.end_schedule", settings.arc.end_schedule);
   if (settings.krl.arc_on == settings.krl.arc_off)
     throw InvalidConfig("krl.arc_on and krl.arc_off are both '" + settings.krl.arc_on + "'; must differ");
   if (settings.arc.weave_schedule > 0 && settings.krl.arc_on.find("{weave}") == std::string::npos)
@@ -86,10 +97,19 @@ void requireKrlArc(const RobotProgramSettings& settings) {
                         std::to_string(settings.arc.weave_schedule) + "; expected {weave} in it, or 0");
 }
 
+void requireCountedFromOne(const char* key, int number, const char* table) {
+  if (number < 1)
+    throw InvalidConfig(std::string(key) + " is " + std::to_string(number) +
+                        "; expected 1 at least in KRL, whose " + table + " has no 0");
+}
+
 class KrlPrinter : public RobotPrinter {
  public:
   explicit KrlPrinter(const RobotSite& site) : site_(site) {
     if (site.settings.arc.process == RobotProcess::Schedules) requireKrlArc(site.settings);
+    requireCountedFromOne("robot_program.tool_number", site.settings.tool_number, "TOOL_DATA");
+    requireCountedFromOne("robot_program.frame_number", site.settings.frame_number, "BASE_DATA");
+    has_dry_variable_ = site.settings.dry_flag > 0 && !robotLevels(site.settings.levels).empty();
   }
 
   void print(const RobotStatement& statement) override {
@@ -141,7 +161,7 @@ class KrlPrinter : public RobotPrinter {
     for (std::size_t j = 0; j < 6; ++j)
       text += (j > 0 ? ",A" : "A") + std::to_string(j + 1) + " " +
               decimalText(move.joints.arm_deg[j], kKrlAngleDecimals);
-    appendKrlExternal(move.joints.external, text);
+    appendKrlExternal(move.joints.external, site_.external, text);
     addLine(text + "}");
     ++points_;
   }
@@ -163,9 +183,7 @@ class KrlPrinter : public RobotPrinter {
   }
 
   std::string pose(const TipMove& move) {
-    if (!(move.point.cwiseAbs().maxCoeff() < kFarthestKrl))
-      throw InvalidInput("a point is at " + numberText(move.point.cwiseAbs().maxCoeff()) +
-                         " mm; must be within 99 999 mm in KRL");
+    for (const double coordinate : move.point) requireInFormat(coordinate, "mm", RobotLanguage::Krl);
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;
     std::string text = "{X " + decimalText(move.point.x(), kKrlPositionDecimals) + ",Y " +
@@ -174,19 +192,23 @@ class KrlPrinter : public RobotPrinter {
                        decimalText(angles.z_deg, kKrlAngleDecimals) + ",B " +
                        decimalText(angles.y_deg, kKrlAngleDecimals) + ",C " +
                        decimalText(angles.x_deg, kKrlAngleDecimals);
-    appendKrlExternal(move.external, text);
+    appendKrlExternal(move.external, site_.external, text);
     return text + "}";
   }
 
   void add(const OutputSwitch& output) {
     requireOutputNumber(output.output, RobotLanguage::Krl);
+    const std::string flag = "$FLAG[" + std::to_string(site_.settings.dry_flag) + "]";
+    if (output.is_on && has_dry_variable_) addLine(std::string(kDryVariable) + "=" + flag);
     addProcess("$OUT[" + std::to_string(output.output) + "]=" + (output.is_on ? "TRUE" : "FALSE"),
-               output.is_on);
+               output.is_on, flag);
   }
 
   /// Comes before all statements.
   std::string declaration() const {
-    return site_.hasDrySpeed() && points_ > 0 ? "DECL REAL " + std::string(kDrySpeedVariable) + "\n" : "";
+    if (points_ == 0) return "";
+    return (has_dry_variable_ ? "DECL BOOL " + std::string(kDryVariable) + "\n" : "") +
+           (site_.hasDrySpeed() ? "DECL REAL " + std::string(kDrySpeedVariable) + "\n" : "");
   }
 
   /// A variable of the program itself: an override of the controller would outlast it.
@@ -198,21 +220,25 @@ class KrlPrinter : public RobotPrinter {
   }
 
   /// What starts the process, or sets its level, is passed over in a dry run.
-  void addProcess(const std::string& line, bool starts) {
+  /// @param dry  what is TRUE in one
+  void addProcess(const std::string& line, bool starts, const std::string& dry) {
     const bool is_conditional = starts && site_.settings.dry_flag > 0;
-    if (is_conditional) addLine("IF NOT $FLAG[" + std::to_string(site_.settings.dry_flag) + "] THEN");
+    if (is_conditional) addLine("IF NOT " + dry + " THEN");
     addLine(line);
     if (is_conditional) addLine("ENDIF");
   }
 
   void add(const ArcSwitch& arc) { addLine(krlArc(arc, site_.settings.krl)); }
 
-  /// An assignment would stop the controller from looking ahead, and the tip with it.
+  /// An assignment would stop the controller from looking ahead, and the tip with it, and so may a look at
+  /// one of its own variables.
   void add(const LevelChange& level) {
     requireOutputNumber(level.output, RobotLanguage::Krl);
     addProcess((level.is_on_the_way ? "TRIGGER WHEN DISTANCE=0 DELAY=0 DO " : "") +
                    krlLevel(level.output, level.value),
-               level.value != 0.0);
+               level.value != 0.0,
+               level.is_on_the_way ? std::string(kDryVariable)
+                                   : "$FLAG[" + std::to_string(site_.settings.dry_flag) + "]");
   }
 
   void add(const ProgramWait& wait) { addLine("WAIT SEC " + trimmedDecimals(wait.duration_s, 3)); }
@@ -257,6 +283,7 @@ class KrlPrinter : public RobotPrinter {
   std::size_t lines_ = 0;
   std::size_t points_ = 0;
   double last_x_deg_ = 0.0;
+  bool has_dry_variable_ = false;  ///< the program's own, for levels that change on the way
 };
 
 std::unique_ptr<RobotPrinter> openKrl(const RobotSite& site) { return std::make_unique<KrlPrinter>(site); }

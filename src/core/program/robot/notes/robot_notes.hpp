@@ -32,6 +32,10 @@ constexpr std::string_view kDryFlagNote = "dry_flag";
 /// Beginning of the note of the speed of a dry run, in percent of the program's.
 constexpr std::string_view kDrySpeedNote = "dry_speed";
 
+/// Variable of programs in KRL that says whether a run is dry, where the controller's own would stop the tip
+/// to be read.
+constexpr std::string_view kDryVariable = "lamina_dry";
+
 /// Variable of programs that run dry at a speed of its own: by what their speeds are multiplied.
 constexpr std::string_view kDrySpeedVariable = "lamina_speed";
 

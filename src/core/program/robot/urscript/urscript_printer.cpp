@@ -172,6 +172,8 @@ class UrScriptPrinter : public RobotPrinter {
     pending_.reset();
     Eigen::Isometry3d pose(move.orientation);
     pose.translation() = move.point;
+    for (const double coordinate : Point3(base_from_bed_ * move.point))
+      requireInFormat(coordinate, "mm", RobotLanguage::UrScript);
     const bool is_process = move.lays && site_.settings.urscript.bead_move == UrBeadMove::MoveP;
     std::string text = (is_process ? "movep(" : "movel(") + urPose(base_from_bed_ * pose) +
                        ", a=" + trimmedDecimals(site_.settings.urscript.acceleration_m_s2, 3) +

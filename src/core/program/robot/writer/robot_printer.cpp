@@ -3,6 +3,7 @@
 #include "program/robot/writer/robot_printer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
@@ -13,6 +14,12 @@
 #include "program/robot/urscript/urscript_printer.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kBeyondFormat = 99999.9995;  // what is rounded to 100000.000
+
+}  // namespace
+
 RobotDialect robotDialect(RobotLanguage language, const RobotProgramSettings& settings) {
   switch (language) {
     case RobotLanguage::Krl:
@@ -63,6 +70,26 @@ void requireNoDrySpeed(const RobotProgramSettings& settings, RobotLanguage langu
     throw InvalidConfig("robot_program.dry_speed_percent is " + numberText(settings.dry_speed_percent) +
                         "; expected 100 in " + toString(language) +
                         ", whose dry runs go at the override of the pendant");
+}
+
+void requireInFormat(double value, const char* unit, RobotLanguage language) {
+  if (!(std::abs(value) < kBeyondFormat))
+    throw InvalidInput("a coordinate is " + numberText(value) + " " + unit +
+                       "; must be within -99999.999 to 99999.999 " + unit + " in " + toString(language));
+}
+
+void requireSchedule(const char* key, int schedule) {
+  if (schedule == 0)
+    throw InvalidConfig(
+        std::string(key) +
+        " is 0 with robot_program.process 'schedules'; expected the number of a schedule that "
+        "the controller holds");
+}
+
+void requireSchedules(const ArcSettings& arc) {
+  if (arc.process == RobotProcess::Outputs) return;
+  requireSchedule("robot_program.start_schedule", arc.start_schedule);
+  requireSchedule("robot_program.end_schedule", arc.end_schedule);
 }
 
 void requireOutputNumber(int output, RobotLanguage language) {

@@ -95,6 +95,21 @@ void requireFreeName(const std::string& name, const std::vector<std::string_view
 /// @throws InvalidConfig
 void requireNoDrySpeed(const RobotProgramSettings& settings, RobotLanguage language);
 
+/// Refuses a schedule of an arc that nobody has chosen: what a controller holds under a number is the
+/// integrator's.
+/// @param key  "robot_program.start_schedule"
+/// @throws InvalidConfig if it is 0
+void requireSchedule(const char* key, int schedule);
+
+/// The same of both schedules of an arc, where arcs switch the process.
+void requireSchedules(const ArcSettings& arc);
+
+/// Refuses a coordinate of the nozzle or an external axis that, rounded, has more than the five digits before
+/// the point that controllers hold.
+/// @param unit  "mm", "deg"
+/// @throws InvalidInput
+void requireInFormat(double value, const char* unit, RobotLanguage language);
+
 /// Refuses output 0 in a language that numbers outputs from 1.
 /// @throws InvalidInput
 void requireOutputNumber(int output, RobotLanguage language);

@@ -149,13 +149,28 @@ class RobotFiles {
            size.points + points + kFilePoints <= dialect_.limits.points;
   }
 
+  RobotFileSize sizeOf(const std::vector<RobotStatement>& statements) const {
+    const auto trial = dialect_.open(site_);
+    for (const RobotStatement& statement : statements) trial->print(statement);
+    return trial->size();
+  }
+
+  /// Refuses with its place what the language cannot express.
+  template <typename Writing>
+  auto namingRun(const RobotStretch& stretch, const Writing& write) const {
+    try {
+      return write();
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("the run from " + script_.place(stretch) + ": " + error.what());
+    }
+  }
+
   void place(const RobotStretch& stretch) {
     const std::vector<RobotStatement> statements = script_.statements(stretch);
     const RobotFileSize greatest = greatestSize(statements);
-    if (hasRoomFor(last().size(), greatest.lines, greatest.points)) return print(statements);
-    const auto trial = dialect_.open(site_);
-    for (const RobotStatement& statement : statements) trial->print(statement);
-    const RobotFileSize needed = trial->size();
+    if (hasRoomFor(last().size(), greatest.lines, greatest.points))
+      return namingRun(stretch, [&] { print(statements); });
+    const RobotFileSize needed = namingRun(stretch, [&] { return sizeOf(statements); });
     const bool is_new = stretch.begin == 0;
     if (!hasRoomFor(last().size(), needed.lines, needed.points)) {
       if (!is_new) openAt(script_.postureAtStart(stretch));
