@@ -64,6 +64,8 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map) {
       corrected.dz.push_back(toMetres(place.dz_mm));
     }
   }
+  message.ahead_interval = sent.ahead.interval_s;
+  message.ahead = sent.ahead.amount;
   return message;
 }
 
@@ -71,6 +73,7 @@ CorrectionMap toCore(const lamina_msgs::CorrectionMap& message) {
   CorrectionMap map{message.toolpath_id, message.layer, message.sequence, {}};
   map.paths.reserve(message.paths.size());
   for (const lamina_msgs::CorrectionPath& path : message.paths) map.paths.push_back(pathOf(path));
+  map.ahead = {message.ahead_interval, message.ahead};
   map = roundedMap(std::move(map));
   validate(map);
   if (digestOf(map) != message.digest)

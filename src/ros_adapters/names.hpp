@@ -51,8 +51,11 @@ inline constexpr char kReplannedToolpath[] = "replanned_toolpath";  ///< lamina/
 inline constexpr char kLoopState[] = "loop_state";                  ///< lamina/LoopState, latched
 inline constexpr char kLoopFigures[] = "loop_figures";              ///< lamina/LoopFigures, latched
 inline constexpr char kLoopCells[] = "loop_cells";                  ///< sensor_msgs/PointCloud2, latched
-inline constexpr char kMeasuring[] = "measuring";                   ///< lamina/Measuring, latched
-inline constexpr char kHeightMap[] = "height_map";          ///< sensor_msgs/PointCloud2 of measured heights
+inline constexpr char kGainMap[] = "gain_map";                      ///< sensor_msgs/PointCloud2, latched
+inline constexpr char kDeviationMarkers[] =
+    "deviation_markers";                            ///< visualization_msgs/MarkerArray, latched, of the loop
+inline constexpr char kMeasuring[] = "measuring";   ///< lamina/Measuring, latched
+inline constexpr char kHeightMap[] = "height_map";  ///< sensor_msgs/PointCloud2 of measured heights
 inline constexpr char kHeightOctomap[] = "height_octomap";  ///< octomap_msgs/Octomap, if that is installed
 inline constexpr char kHeightDeviation[] =
     "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected

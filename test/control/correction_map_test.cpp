@@ -55,6 +55,9 @@ TEST(CorrectionMap, ReadsBackToTheSameBits) {
                                  *rc::gen::inRange(-900, 900) / 997.0});
       map.paths.push_back(path);
     }
+    const int expected = *rc::gen::inRange(0, 4);
+    if (expected > 0) map.ahead.interval_s = 0.01 * *rc::gen::inRange(1, 900) / 1.07;
+    for (int i = 0; i < expected; ++i) map.ahead.amount.push_back(*rc::gen::inRange(-900, 5000) / 1001.0);
     const CorrectionMap read = readCorrectionMap(correctionMapCsv(map), "map");
     RC_ASSERT(digestOf(read) == digestOf(map));
     RC_ASSERT(correctionMapCsv(read) == correctionMapCsv(map));
@@ -70,6 +73,26 @@ TEST(CorrectionMap, HasADigestOfEveryValue) {
   other = smallMap();
   other.paths[0].stations[1].dz_mm = 0.0500001;
   EXPECT_NE(digestOf(other), digest);
+}
+
+TEST(CorrectionMap, SaysWithWhatTheLayerAboveBegins) {
+  CorrectionMap map = smallMap();
+  map.ahead = {0.05, {0.1, -0.25}};
+  EXPECT_NE(digestOf(map), digestOf(smallMap()));
+  const std::string text = correctionMapCsv(map);
+  EXPECT_NE(text.find("\n# ahead 0.05 0.1 -0.25\n"), std::string::npos) << text;
+  const CorrectionMap read = readCorrectionMap(text, "map");
+  EXPECT_EQ(read.ahead.interval_s, 0.05);
+  EXPECT_EQ(read.ahead.amount, map.ahead.amount);
+  const auto with = [&](const std::string& ahead) {
+    std::string changed = text;
+    const std::string line = "# ahead 0.05 0.1 -0.25";
+    return changed.replace(changed.find(line), line.size(), ahead);
+  };
+  for (const char* ahead : {"# ahead 0.05 0.1 -0.24", "# ahead 0.05 0.1", "# ahead 0.05",
+                            "# ahead 0 0.1 -0.25", "# ahead 0.05 0.1 -1", "# ahead 0.05 0.1 nan",
+                            "# ahead 0.05 0.1 x", "# ahead inf 0.1 -0.25", "# behind"})
+    EXPECT_THROW(readCorrectionMap(with(ahead), "map"), InvalidInput) << ahead;
 }
 
 TEST(CorrectionMap, RefusesWhatIsNone) {

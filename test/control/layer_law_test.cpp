@@ -110,7 +110,7 @@ TEST(LayerLaw, StaysWithinAmountAndSlope) {
     const LayerCorrection law = freeCorrection(cells, anyKnowledge(cells), settings);
     requireWithin(cells, law.amount, settings);
     RC_ASSERT(std::abs(meanOf(law.amount)) <= settings.layer_volume + kRounding);
-    requireWithin(cells, ledCorrection(cells, law.amount, {0.3, 0.2}, settings), settings);
+    requireWithin(cells, ledCorrection(cells, law.amount, {}, {0.3, 0.2}, settings), settings);
   }));
 }
 
@@ -167,9 +167,35 @@ TEST(FeederLead, CommandsWhatIsNeededWhereTheNozzleWillBe) {
   const LayerCells cells = test::straightBeads({0.0}, 100.0, 0.5);
   std::vector<double> amount;
   for (const double s : cells.along_mm) amount.push_back(0.1 * std::sin(2.0 * M_PI * s / 50.0));
-  const auto led = ledCorrection(cells, amount, {1.5, 0.0}, LoopSettings());
+  const auto led = ledCorrection(cells, amount, {}, {1.5, 0.0}, LoopSettings());
   for (std::size_t i = 0; i + 40 < cells.size(); ++i) EXPECT_NEAR(led[i], amount[i + 30], 1e-9);
-  EXPECT_EQ(ledCorrection(cells, amount, {}, LoopSettings()), amount);
+  EXPECT_EQ(ledCorrection(cells, amount, {}, {}, LoopSettings()), amount);
+}
+
+/// 10 mm/s, a dead time of 1 s: the last 10 mm of a layer are commanded for the first 10 mm of the next one.
+TEST(FeederLead, EndsWithWhatIsExpectedOfTheLayerAbove) {
+  const LayerCells cells = test::straightBeads({0.0}, 100.0, 0.5);
+  const std::vector<double> amount(cells.size(), 0.1);
+  const ExpectedBeginning ahead{0.5, {0.12, 0.14}};  // at 0.25 s and 0.75 s, or 2.5 and 7.5 mm
+  const auto led = ledCorrection(cells, amount, ahead, {1.0, 0.0}, LoopSettings());
+  EXPECT_NEAR(led[0], 0.1, kRounding);
+  EXPECT_NEAR(led[179], 0.1, kRounding);  // 89.75 mm
+  EXPECT_NEAR(led[195], 0.14, 1e-6);      // 97.75 mm, beyond the last
+  EXPECT_NEAR(led[187], 0.12 + 0.02 * (93.75 - 92.5) / 5.0, 1e-6);
+  EXPECT_NEAR(led[199], 0.14, 1e-6);
+}
+
+TEST(FeederLead, SaysWhatALayerBeginsWith) {
+  const LayerCells cells = test::straightBeads({0.0}, 100.0, 0.5);
+  std::vector<double> amount;
+  for (const double s : cells.along_mm) amount.push_back(0.001 * s);
+  const ExpectedBeginning ahead = expectedBeginning(cells, amount, 1.0);
+  EXPECT_DOUBLE_EQ(ahead.interval_s, 0.05);  // 20 cells of 0.5 mm at 10 mm/s
+  ASSERT_EQ(ahead.amount.size(), 21U);
+  EXPECT_NEAR(ahead.amount[0], 0.00025, 1e-12);
+  EXPECT_NEAR(ahead.amount[20], 0.01025, 1e-12);
+  EXPECT_TRUE(expectedBeginning(cells, amount, 0.0).amount.empty());
+  EXPECT_EQ(expectedBeginning(cells, amount, 1000.0).amount.size(), 257U);
 }
 
 TEST(FeederLead, LeadsAMapByPlaces) {

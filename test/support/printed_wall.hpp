@@ -198,13 +198,22 @@ class WallPrinter {
       return {std::move(commands.time_s), std::move(commands.amount)};
     }
     const std::vector<double> times = timesOf(cells);
-    const std::vector<double> led = ledCorrection(cells, correction.amount, wall_.lead, wall_.loop);
+    const std::vector<double> led =
+        ledCorrection(cells, correction.amount, expectedNext(correction), wall_.lead, wall_.loop);
     TimedValues joined = commanded_before_;
     for (double& time_s : joined.time_s) time_s -= wall_.length_mm / wall_.speed_mm_s;
     joined.time_s.insert(joined.time_s.end(), times.begin(), times.end());
     joined.value.insert(joined.value.end(), led.begin(), led.end());
     commanded_before_ = {times, led};
     return joined;
+  }
+
+  /// As `LoopRun` states it in its maps.
+  ExpectedBeginning expectedNext(const LayerCorrection& correction) const {
+    HeightLoop next = loop_;
+    next.lay(correction);
+    next.beginLayer(loop_.cells());
+    return expectedBeginning(next.cells(), next.correction(wall_.state).amount, wall_.lead.dead_time_s);
   }
 
   void measure(std::size_t k) {

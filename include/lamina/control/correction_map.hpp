@@ -31,6 +31,14 @@ struct PathCorrection {
   std::vector<PointCorrection> stations;
 };
 
+/// The amounts with which the layer above is expected to begin, at equal times from its start: what a program
+/// commands for it in the last dead time of a feeder, while the layer below it ends. Amount i is that at
+/// (i + 1/2) times the interval, at planned speeds.
+struct ExpectedBeginning {
+  double interval_s = 0.0;
+  std::vector<double> amount;  ///< relative change of the volume deposited per length; may be empty
+};
+
 /// The corrections of one layer of a toolpath. Paths without an entry are deposited as planned.
 struct CorrectionMap {
   std::string toolpath_id;
@@ -39,6 +47,7 @@ struct CorrectionMap {
   /// it is issued with the map of the layer below, in case the layer's own map does not come in time.
   std::uint64_t sequence = 0;
   std::vector<PathCorrection> paths;  ///< ascending by `path`
+  ExpectedBeginning ahead = {};       ///< of the layer above; empty where no feeder needs it
 };
 
 /// Whether a map of a loop is the coasting map of its layer.
@@ -66,12 +75,12 @@ CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corr
 std::string digestOf(const CorrectionMap& map);
 
 /// @throws InvalidInput naming path and station: if a value is not finite, an amount or speed is -1 or less
-///   or above 5, a shift is above 100 mm, a spacing is not positive, paths do not ascend, or a path has no
-///   stations
+///   or above 5, a shift is above 100 mm, a spacing is not positive, paths do not ascend, a path has no
+///   stations, or the expected beginning is none
 void validate(const CorrectionMap& map);
 
-/// The map as CSV, a row per station under comments that state toolpath, layer, sequence and digest; it reads
-/// back to the same bits.
+/// The map as CSV, a row per station under comments that state toolpath, layer, sequence and digest, and the
+/// expected beginning of the layer above if there is one; it reads back to the same bits.
 std::string correctionMapCsv(const CorrectionMap& map);
 
 /// Reads a map from text that `correctionMapCsv` wrote.

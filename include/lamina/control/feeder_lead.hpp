@@ -36,14 +36,21 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
 
 /// The commands of `feederCommands` by place instead of time, for programs: for each cell the amount that is
 /// commanded while the nozzle passes it. Commands in the last dead time of a layer act at the start of the
-/// next layer, which is assumed to have the corrections of the start of this one. Without delay the result is
-/// `amount`.
+/// next layer: they are those of its expected beginning, or of the start of this layer if that is empty.
+/// Without delay the result is `amount`.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
-                                  const FeederDelay& feeder, const LoopSettings& settings);
+                                  const ExpectedBeginning& ahead, const FeederDelay& feeder,
+                                  const LoopSettings& settings);
 
-/// The map of a layer with its amounts led as by `ledCorrection`. All paths get the least spacing of stations
-/// that the map has. Paths that `layerCells` gives no cells stay unchanged. Without delay the result is
-/// `map`.
+/// The amounts at the beginning of a layer, as long as a dead time lasts; none if there is no dead time. They
+/// are a cell's time apart, or more where that would be more than 256 of them.
+/// @param amount  relative change of the volume, one value per cell
+ExpectedBeginning expectedBeginning(const LayerCells& cells, const std::vector<double>& amount,
+                                    double dead_time_s);
+
+/// The map of a layer with its amounts led as by `ledCorrection`, without what it expects of the layer above.
+/// All paths get the least spacing of stations that the map has. Paths that `layerCells` gives no cells stay
+/// unchanged. Without delay the result is `map`.
 /// @throws InvalidInput as `validate`
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
                      const LoopSettings& settings);

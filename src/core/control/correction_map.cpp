@@ -69,6 +69,18 @@ void requireStations(const PathCorrection& path) {
   }
 }
 
+void requireBeginning(const ExpectedBeginning& ahead) {
+  const std::string what = "correction expected of the layer above: ";
+  if (ahead.amount.empty()) return;
+  if (!(ahead.interval_s > 0.0) || !std::isfinite(ahead.interval_s))
+    throw InvalidInput(what + "amounts are " + numberText(ahead.interval_s) +
+                       " s apart; expected a positive time");
+  for (const double amount : ahead.amount)
+    if (!(amount > -1.0 && amount <= kGreatestChange))
+      throw InvalidInput(what + "the amount changes by " + numberText(amount) +
+                         "; expected more than -1 and at most " + numberText(kGreatestChange));
+}
+
 double valueOr(const std::vector<double>& values, std::size_t i) { return values.empty() ? 0.0 : values[i]; }
 
 }  // namespace
@@ -121,6 +133,12 @@ std::string digestOf(const CorrectionMap& map) {
       fingerprint.add(place.dz_mm);
     }
   }
+  // Maps without it keep the digest that they had before there was one.
+  if (!map.ahead.amount.empty()) {
+    fingerprint.add(map.ahead.interval_s);
+    fingerprint.add(static_cast<std::uint64_t>(map.ahead.amount.size()));
+    for (const double amount : map.ahead.amount) fingerprint.add(amount);
+  }
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint.value()));
   return text;
@@ -134,6 +152,7 @@ void validate(const CorrectionMap& map) {
           "it stands after path " + std::to_string(map.paths[p - 1].path) + "; expected paths to ascend");
     requireStations(map.paths[p]);
   }
+  requireBeginning(map.ahead);
 }
 
 }  // namespace lamina

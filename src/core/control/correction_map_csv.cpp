@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
@@ -34,7 +35,7 @@ struct StatedWord {
   std::size_t line = 0;
 };
 
-StatedWord stated(std::string_view text, std::string_view name, const std::string& source) {
+std::optional<StatedWord> findStated(std::string_view text, std::string_view name) {
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     std::string_view comment = trimmed(text.substr(0, length));
@@ -44,8 +45,13 @@ StatedWord stated(std::string_view text, std::string_view name, const std::strin
     if (comment.substr(0, name.size()) != name) continue;
     const std::string_view word = trimmed(comment.substr(name.size()));
     if (comment.size() > name.size() && comment[name.size()] != ' ') continue;
-    if (!word.empty()) return {word, line};
+    if (!word.empty()) return StatedWord{word, line};
   }
+  return std::nullopt;
+}
+
+StatedWord stated(std::string_view text, std::string_view name, const std::string& source) {
+  if (const auto found = findStated(text, name)) return *found;
   throw InvalidInput(source + ": no comment '# " + std::string(name) + " ...'; expected a correction map");
 }
 
@@ -76,12 +82,42 @@ void addRow(CorrectionMap& map, const CsvTable& table, std::size_t r) {
   map.paths.back().stations.push_back(place);
 }
 
+/// Interval and amounts, apart by blanks.
+ExpectedBeginning beginningOf(const StatedWord& stated, const std::string& source) {
+  ExpectedBeginning ahead;
+  std::string_view left = stated.word;
+  for (bool is_interval = true; !left.empty(); is_interval = false) {
+    const std::size_t length = std::min(left.find(' '), left.size());
+    const auto number =
+        numberOf<double>(left.substr(0, length), source, stated.line, "what is expected of the layer above");
+    left.remove_prefix(std::min(length + 1, left.size()));
+    if (is_interval)
+      ahead.interval_s = number;
+    else
+      ahead.amount.push_back(number);
+  }
+  if (ahead.amount.empty())
+    refuseLine(source, stated.line, "the layer above has no amounts; expected some after the interval");
+  return ahead;
+}
+
+std::string beginningText(const ExpectedBeginning& ahead) {
+  if (ahead.amount.empty()) return {};
+  std::string text = "# ahead ";
+  appendExact(text, ahead.interval_s);
+  for (const double amount : ahead.amount) {
+    text += ' ';
+    appendExact(text, amount);
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string correctionMapCsv(const CorrectionMap& map) {
   std::string text = "# toolpath " + map.toolpath_id + "\n# layer " + std::to_string(map.layer) +
-                     "\n# sequence " + std::to_string(map.sequence) + "\n# digest " + digestOf(map) + "\n" +
-                     kColumns + "\n";
+                     "\n# sequence " + std::to_string(map.sequence) + "\n" + beginningText(map.ahead) +
+                     "# digest " + digestOf(map) + "\n" + kColumns + "\n";
   for (const PathCorrection& path : map.paths) {
     for (const PointCorrection& place : path.stations) {
       text += std::to_string(path.path);
@@ -104,6 +140,7 @@ CorrectionMap readCorrectionMap(std::string_view text, const std::string& source
   map.layer = numberOf<std::size_t>(layer.word, source, layer.line, "the layer");
   const StatedWord sequence = stated(text, "sequence", source);
   map.sequence = numberOf<std::uint64_t>(sequence.word, source, sequence.line, "the sequence");
+  if (const auto ahead = findStated(text, "ahead")) map.ahead = beginningOf(*ahead, source);
   for (std::size_t r = 0; r < table.rows.size(); ++r) addRow(map, table, r);
   try {
     validate(map);

@@ -3,6 +3,7 @@
 #include "lamina/control/feeder_lead.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lamina {
 namespace {
@@ -20,13 +21,33 @@ double densestStation(const CorrectionMap& map) {
 }
 
 /// The same once more, as the layer above is taken to begin as this one does.
-FeederCommands intoNextLayer(FeederCommands commands, double layer_s) {
+void repeat(FeederCommands& commands, double layer_s) {
   const std::size_t count = commands.time_s.size();
   for (std::size_t i = 0; i < count; ++i) {
     commands.time_s.push_back(commands.time_s[i] + layer_s);
     commands.amount.push_back(commands.amount[i]);
   }
-  return commands;
+}
+
+/// What the feeder is commanded for the beginning of the layer above.
+void addBeginning(FeederCommands& commands, const ExpectedBeginning& ahead, double layer_s,
+                  const FeederDelay& feeder) {
+  for (std::size_t i = 0; i < ahead.amount.size(); ++i) {
+    const double next = ahead.amount[std::min(i + 1, ahead.amount.size() - 1)];
+    const double time_s = layer_s + (static_cast<double>(i) + 0.5) * ahead.interval_s;
+    commands.time_s.push_back(time_s - feeder.dead_time_s);
+    commands.amount.push_back(ahead.amount[i] + feeder.lag_s * (next - ahead.amount[i]) / ahead.interval_s);
+  }
+}
+
+/// Linear between the times; as the first and the last value before and after.
+double valueAt(const FeederCommands& commands, double time_s) {
+  const auto after = std::upper_bound(commands.time_s.begin(), commands.time_s.end(), time_s);
+  const auto k = static_cast<std::size_t>(after - commands.time_s.begin());
+  if (k == 0) return commands.amount.front();
+  if (k == commands.time_s.size()) return commands.amount.back();
+  const double part = (time_s - commands.time_s[k - 1]) / (commands.time_s[k] - commands.time_s[k - 1]);
+  return commands.amount[k - 1] + part * (commands.amount[k] - commands.amount[k - 1]);
 }
 
 bool isPrompt(const FeederDelay& feeder) { return feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0; }
@@ -61,23 +82,37 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
 }
 
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
-                                  const FeederDelay& feeder, const LoopSettings& settings) {
+                                  const ExpectedBeginning& ahead, const FeederDelay& feeder,
+                                  const LoopSettings& settings) {
   if (isPrompt(feeder) || amount.empty()) return amount;
   const std::vector<double> times = timesOf(cells);
   const CellRun& last = cells.runs.back();
   const double layer_s = times.back() + 0.5 * last.cellLength() / cells.speed_mm_s.back();
-  const FeederCommands commands = intoNextLayer(feederCommands(cells, amount, feeder, settings), layer_s);
-  std::vector<double> led(amount.size());
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < led.size(); ++i) {
-    while (k + 1 < commands.amount.size() && commands.time_s[k + 1] <= times[i]) ++k;
-    led[i] = commands.amount[k];
-    if (k + 1 == commands.amount.size() || times[i] <= commands.time_s[k]) continue;
-    const double part = (times[i] - commands.time_s[k]) / (commands.time_s[k + 1] - commands.time_s[k]);
-    led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
-  }
+  FeederCommands commands = feederCommands(cells, amount, feeder, settings);
+  if (ahead.amount.empty())
+    repeat(commands, layer_s);
+  else
+    addBeginning(commands, ahead, layer_s, feeder);
+  std::vector<double> led;
+  led.reserve(amount.size());
+  for (const double time_s : times) led.push_back(valueAt(commands, time_s));
   // What is commanded for the next run while this one is deposited must not step either.
   return followedCommands(cells, led, settings);
+}
+
+ExpectedBeginning expectedBeginning(const LayerCells& cells, const std::vector<double>& amount,
+                                    double dead_time_s) {
+  if (!(dead_time_s > 0.0) || amount.empty()) return {};
+  constexpr double kMost = 256.0;
+  const FeederCommands wanted{timesOf(cells), amount};
+  const double cell_s = cells.runs.front().cellLength() / cells.speed_mm_s.front();
+  const double count = std::clamp(std::ceil(dead_time_s / cell_s), 1.0, kMost);
+  ExpectedBeginning ahead;
+  ahead.interval_s = dead_time_s / count;
+  // One more, since the last of them is half an interval before the end.
+  for (int i = 0; i <= static_cast<int>(count); ++i)
+    ahead.amount.push_back(valueAt(wanted, (i + 0.5) * ahead.interval_s));
+  return ahead;
 }
 
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
@@ -96,7 +131,7 @@ CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const
       corrections.dz_mm.push_back(here.dz_mm);
     }
   }
-  corrections.amount = ledCorrection(cells, corrections.amount, feeder, settings);
+  corrections.amount = ledCorrection(cells, corrections.amount, map.ahead, feeder, settings);
   CorrectionMap led = correctionMap(cells, corrections, map.toolpath_id, map.sequence);
   for (const PathCorrection& path : map.paths)
     if (correctionOf(led, path.path) == nullptr) led.paths.push_back(path);

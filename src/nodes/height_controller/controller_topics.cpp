@@ -8,6 +8,7 @@
 #include "correction_messages.hpp"
 #include "latched.hpp"
 #include "loop/loop_messages.hpp"
+#include "markers/deviation_markers.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -22,7 +23,9 @@ ControllerTopics::ControllerTopics(ros::NodeHandle node)
       plan_(node.advertise<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, true)),
       state_(node.advertise<lamina_msgs::LoopState>(names::kLoopState, kKeepAll, true)),
       figures_(node.advertise<lamina_msgs::LoopFigures>(names::kLoopFigures, kKeepAll, true)),
-      cells_(node.advertise<sensor_msgs::PointCloud2>(names::kLoopCells, 1, true)) {}
+      cells_(node.advertise<sensor_msgs::PointCloud2>(names::kLoopCells, 1, true)),
+      gains_(node.advertise<sensor_msgs::PointCloud2>(names::kGainMap, 1, true)),
+      beads_(node.advertise<visualization_msgs::MarkerArray>(names::kDeviationMarkers, kKeepAll, true)) {}
 
 std::string ControllerTopics::publish(const CorrectionMap& map) {
   lamina_msgs::CorrectionMap message = toMessage(map);
@@ -59,6 +62,13 @@ void ControllerTopics::publishCells(const LayerOutcome& layer, const Eigen::Isom
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
   publishLatched(cells_, message);
+  const std_msgs::Header header = message.header;
+  message = gainCloudMessage(layer, bed_from_part);
+  message.header = header;
+  publishLatched(gains_, message);
+  publishLatched(beads_, deviationMarkers(layer, names::kBedFrame, bed_from_part));
 }
+
+void ControllerTopics::clearCells() { publishLatched(beads_, noDeviationMarkers(names::kBedFrame)); }
 
 }  // namespace lamina

@@ -14,8 +14,9 @@ namespace lamina {
 /// Publishes what the loop does.
 ///
 /// correction (lamina/CorrectionMap), replanned_toolpath (lamina/Toolpath), loop_state (lamina/LoopState),
-/// loop_figures (lamina/LoopFigures), loop_cells (sensor_msgs/PointCloud2 of the latest layer, frame `bed`),
-/// all latched
+/// loop_figures (lamina/LoopFigures), loop_cells and gain_map (sensor_msgs/PointCloud2 of the latest layer),
+/// deviation_markers (visualization_msgs/MarkerArray of all layers, one after the other), all latched; the
+/// last three in frame `bed`
 class ControllerTopics {
  public:
   explicit ControllerTopics(ros::NodeHandle node);
@@ -27,6 +28,8 @@ class ControllerTopics {
   /// What has not changed since is not published again.
   void publish(const lamina_msgs::LoopState& state);
   void publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
+  /// A new print begins: what is shown of the one before is to go.
+  void clearCells();
 
  private:
   ros::Publisher correction_;
@@ -34,6 +37,8 @@ class ControllerTopics {
   ros::Publisher state_;
   ros::Publisher figures_;
   ros::Publisher cells_;
+  ros::Publisher gains_;
+  ros::Publisher beads_;
   lamina_msgs::LoopState last_;
   bool has_state_ = false;
 };

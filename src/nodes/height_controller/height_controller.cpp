@@ -125,7 +125,10 @@ void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
     const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
     // Of a plan that the loop goes on with, the report goes on.
-    if (!goes_on) record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
+    if (!goes_on) {
+      record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
+      topics_.clearCells();
+    }
     toolpath_fault_.clear();
     ROS_INFO_STREAM("the loop over toolpath " << part.toolpath_id << " is "
                                               << toString(feed_.run()->status().state) << " "

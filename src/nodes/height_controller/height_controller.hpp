@@ -33,7 +33,8 @@ namespace lamina {
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
-/// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), alarm_reports
+/// Publishes   correction, loop_state, loop_figures, loop_cells, gain_map, deviation_markers (see
+/// ControllerTopics), alarm_reports
 ///             (lamina/AlarmReport), /diagnostics
 /// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger), and those of CellCalibrator
 /// Calls       pause (std_srvs/Trigger) where an alarm holds the print

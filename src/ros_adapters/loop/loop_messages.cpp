@@ -96,6 +96,18 @@ sensor_msgs::PointCloud2 toCloudMessage(const LayerOutcome& layer, const Eigen::
   return toCloudMessage(points, {error, amount, sigma});
 }
 
+sensor_msgs::PointCloud2 gainCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part) {
+  std::vector<Point3> points;
+  CloudField gain{"gain", {}};
+  points.reserve(layer.cells.size());
+  gain.values.reserve(layer.cells.size());
+  for (const CellOutcome& cell : layer.cells) {
+    points.push_back(bed_from_part * cell.at);
+    gain.values.push_back(static_cast<float>(cell.gain));
+  }
+  return toCloudMessage(points, {gain});
+}
+
 LoopRequest loopRequestOf(const lamina_msgs::SetLoop::Request& request) {
   switch (request.request) {
     case lamina_msgs::SetLoop::Request::OFF:

@@ -25,6 +25,8 @@ lamina_msgs::LoopFigures toMessage(const LayerOutcome& layer, const std::string&
 /// prediction.
 /// @param bed_from_part  translation [mm]
 sensor_msgs::PointCloud2 toCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
+/// The same points with the `gain` (float32) that is learnt of each cell: actual over commanded growth.
+sensor_msgs::PointCloud2 gainCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
 
 /// The request of a service call.
 /// @throws InvalidInput if it is none of those in SetLoop.srv

@@ -42,6 +42,30 @@ TEST(CoastingRun, GivesEachLayerAMapByItsGainAheadOfItsOwn) {
   for (const CorrectionMap& map : printed.maps) EXPECT_EQ(map.sequence, 1U);
 }
 
+/// Half of the error is corrected by each layer: what the layer under way leaves of it is half of what it
+/// found.
+TEST(CoastingRun, SaysWithWhatTheNextLayerBeginsWhereAFeederIsLate) {
+  SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  for (const CorrectionMap& map : sensedWall(wall).maps) EXPECT_TRUE(map.ahead.amount.empty()) << map.layer;
+  wall.settings.loop.dead_time_s = 1.0;
+  const SensedWall printed = sensedWall(wall);
+  const test::WallTruth truth = test::wallTruth(wall);
+  const auto first = static_cast<std::size_t>(wall.settings.loop.first_layers);
+  ASSERT_EQ(printed.maps.size(), wall.layers);
+  for (const CorrectionMap& map : printed.maps) {
+    if (map.layer < first) continue;
+    if (map.layer + 1 == wall.layers) {
+      EXPECT_TRUE(map.ahead.amount.empty()) << "there is no layer above";
+      continue;
+    }
+    const double left_mm = 0.5 * truth.error_mm[map.layer - 1];
+    const double expected = (1.0 + 0.5 * left_mm / wall.layer_mm) / truth.gain[map.layer - 1] - 1.0;
+    EXPECT_NEAR(map.ahead.interval_s * static_cast<double>(map.ahead.amount.size() - 1), 1.0, 1e-9);
+    for (const double amount : map.ahead.amount) EXPECT_NEAR(amount, expected, 0.01) << map.layer;
+  }
+}
+
 TEST(CoastingRun, GivesNoneWhereTheLoopCorrectsNothing) {
   SensedWallCase wall;
   wall.settings = test::calibratedLoop();

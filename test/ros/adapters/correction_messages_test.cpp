@@ -28,6 +28,19 @@ CorrectionMap twoPaths() {
   return map;
 }
 
+TEST(CorrectionMessages, SayWithWhatTheLayerAboveBegins) {
+  CorrectionMap map = twoPaths();
+  map.ahead = {0.05, {0.1, -0.25}};
+  auto message = toMessage(map);
+  EXPECT_EQ(message.ahead_interval, 0.05);
+  EXPECT_EQ(message.ahead.at(1), -0.25);
+  const CorrectionMap back = toCore(message);
+  EXPECT_EQ(back.ahead.interval_s, 0.05);
+  EXPECT_EQ(back.ahead.amount, map.ahead.amount);
+  message.ahead[1] = -0.24;
+  EXPECT_THROW(toCore(message), lamina::InvalidInput) << "another digest";
+}
+
 TEST(CorrectionMessages, AreInMetres) {
   const auto message = toMessage(twoPaths());
   EXPECT_EQ(message.toolpath_id, "0123abcd");

@@ -246,6 +246,13 @@ TEST(CalibrationTest, FindsHowLateAnEmulatedFeederFollows) {
   ASSERT_TRUE(kept.feeder && kept.time);
   EXPECT_NEAR(kept.feeder->dead_time_s, found.dead_time, 1e-9);
   EXPECT_EQ(kept.feeder->origin.method, "bead");
+  const std::string cell = folder.file("cell.yaml");
+  writeCalibration(cell, known);
+  lamina(withBrisk({"calibrate", "feeder", folder.file("feeder.bag"), "-o", cell}));
+  const Calibration from_bag = readCalibration(cell);
+  ASSERT_TRUE(from_bag.feeder);
+  EXPECT_NEAR(from_bag.feeder->dead_time_s, kDeadTime, 0.03);
+  EXPECT_NEAR(from_bag.feeder->lag_s, kLag, 0.03);
 }
 
 /// What the services refuse, each by name; nothing is written, and a recording goes on.

@@ -21,6 +21,7 @@
 #include "ros/bag_player.hpp"
 #include "ros/loop/controlled_wall.hpp"
 #include "ros/loop/estimated_bag.hpp"
+#include "ros/loop/shown_cells.hpp"
 #include "ros/loop/wall_messages.hpp"
 #include "ros/wait_until.hpp"
 #include "service_call.hpp"
@@ -64,14 +65,11 @@ TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
   test::writeBag(folder.file("wall.bag"), sensedWall(wall));
   Controller controller({"_output_folder:=" + folder.file("report")});
   ros::NodeHandle node;
-  std::optional<sensor_msgs::PointCloud2> cells;
-  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_cells = [&](const auto& cloud) {
-    cells = *cloud;
-  };
-  const auto subscriber = node.subscribe<sensor_msgs::PointCloud2>(names::kLoopCells, 10, on_cells);
+  const test::ShownCells shown(node);
   const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
   waitUntil([&] {
-    return controller.layers.size() >= wall.layers && controller.maps.size() >= wall.layers && cells;
+    return controller.layers.size() >= wall.layers && controller.maps.size() >= wall.layers &&
+           shown.areAll(wall.layers);
   });
   ASSERT_EQ(controller.layers.size(), wall.layers);
   ASSERT_EQ(controller.maps.size(), wall.layers);
@@ -98,9 +96,11 @@ TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
     const double amount = map.paths.empty() ? 0.0 : correctionAt(map.paths[0], 30.0).amount;
     EXPECT_NEAR(amount, truth.amount[k], 0.01) << k;
   }
-  ASSERT_TRUE(cells);
-  EXPECT_EQ(cells->width, 120U) << "60 mm of cells of 0.5 mm";
-  EXPECT_EQ(cells->fields.back().name, "sigma");
+  ASSERT_TRUE(shown.areAll(wall.layers));
+  EXPECT_EQ(shown.cells->width, 120U) << "60 mm of cells of 0.5 mm";
+  EXPECT_EQ(shown.cells->fields.back().name, "sigma");
+  EXPECT_EQ(shown.gains->width, 120U);
+  EXPECT_EQ(shown.gains->fields.back().name, "gain");
   EXPECT_EQ(controller.end(SIGINT), 0);
   EXPECT_NE(readFile(folder.file("report/loop_report.html")).find("<svg"), std::string::npos);
   EXPECT_NE(readFile(folder.file("report/loop_layers.csv")).find(controller.maps.back().digest),

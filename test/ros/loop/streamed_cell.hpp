@@ -48,13 +48,15 @@ class StreamedCell {
     client_.sendGoal(goal_);
   }
   bool hasEnded() {
-    return waitUntil([&] {
-      if (!client_.getState().isDone()) return false;
-      // The goal may have come ahead of the toolpath.
-      const bool was_ahead = client_.getState().getText().find("none was published") != std::string::npos;
-      if (was_ahead) client_.sendGoal(goal_);
-      return layers.size() == count_;
-    });
+    return waitUntil([&] { return isOver() && layers.size() == count_; });
+  }
+  /// Whether the job is over.
+  bool isOver() {
+    if (!client_.getState().isDone()) return false;
+    // The goal may have come ahead of the toolpath.
+    const bool was_ahead = client_.getState().getText().find("none was published") != std::string::npos;
+    if (was_ahead) client_.sendGoal(goal_);
+    return !was_ahead;
   }
   lamina_msgs::Status status() const { return client_.getResult()->status; }
 

@@ -51,6 +51,9 @@ struct CellOutcome {
   double sigma_mm = 0.0;       ///< standard deviation of the error
   double amount = 0.0;         ///< relative change with which the cell was deposited
   bool is_seen = false;
+  Eigen::Vector3d along_mm = Eigen::Vector3d::Zero();  ///< from its start to its end
+  double width_mm = 0.0;                               ///< of its bead
+  double gain = 1.0;                                   ///< actual over commanded growth, as learnt
 };
 
 /// A layer that is done.

@@ -16,9 +16,11 @@
 namespace lamina {
 namespace {
 
-constexpr int kChartWidth = 1040;
-constexpr int kChartHeight = 420;
+// Pages show pictures 520 px wide: drawn twice as large, their letters could not be read.
+constexpr int kChartWidth = 620;
+constexpr int kChartHeight = 290;
 constexpr std::size_t kMostRows = 120;  // of the picture of all layers
+constexpr double kScaleHeight = 40.0;   // px, below that picture
 constexpr Colour kBlue{0.13, 0.42, 0.70};
 constexpr Colour kOrange{0.85, 0.37, 0.05};
 constexpr Colour kGrey{0.55, 0.58, 0.62};
@@ -57,10 +59,14 @@ std::string gainChart(const LoopRecord& record) {
 
 template <class Value>
 std::string cellChart(const LoopRecord& record, const char* title, const char* unit, Value value) {
-  Chart chart{title, "cell, as the nozzle comes by", unit, {}};
+  Chart chart{title, "mm deposited, as the nozzle comes by", unit, {}};
   ChartSeries series{"", {}, kBlue, 0.0, 1.4};
-  for (std::size_t i = 0; i < record.cells().size(); ++i)
-    series.points.emplace_back(static_cast<double>(i), value(record.cells()[i]));
+  double passed_mm = 0.0;
+  for (const CellOutcome& cell : record.cells()) {
+    const double length_mm = cell.along_mm.norm();
+    series.points.emplace_back(passed_mm + 0.5 * length_mm, value(cell));
+    passed_mm += length_mm;
+  }
   chart.series.push_back(std::move(series));
   return chartPng(chart, kChartWidth, kChartHeight);
 }
@@ -84,6 +90,24 @@ double colouredUpTo(const LoopRecord& record) {
   return std::max(1e-3, static_cast<double>(*most));
 }
 
+/// From too low, on the left, to too high.
+std::string colourScale(double y, double most_mm) {
+  constexpr int kSteps = 40;
+  constexpr double kStep = 12.0;  // px
+  const auto named = [&](double x, const char* anchor, const std::string& text) {
+    return "<text x=\"" + formatted("%.0f", x) + "\" y=\"" + formatted("%.0f", y + 24.0) +
+           "\" font-size=\"11\" text-anchor=\"" + anchor + "\">" + text + "</text>";
+  };
+  std::string svg;
+  for (int i = 0; i < kSteps; ++i)
+    svg += "<rect x=\"" + formatted("%.0f", 40.0 + kStep * i) + "\" y=\"" + formatted("%.0f", y) +
+           "\" width=\"12.2\" height=\"10\" fill=\"" +
+           hexColour(colourAt(ColourMap::Diverging, (i + 0.5) / kSteps)) + "\"/>";
+  return svg + named(40.0, "start", formatted("%.2f mm too low", most_mm)) +
+         named(40.0 + 0.5 * kStep * kSteps, "middle", "as planned") +
+         named(40.0 + kStep * kSteps, "end", formatted("%.2f mm too high", most_mm)) + "\n";
+}
+
 /// All layers above each other, the first at the bottom; pieces of each from left to right.
 std::string deviationDrawing(const LoopRecord& record, double most_mm) {
   const std::size_t layers = record.layers().size();
@@ -92,8 +116,9 @@ std::string deviationDrawing(const LoopRecord& record, double most_mm) {
   constexpr double kPiece = 5.0;  // px
   const double width = kPiece * static_cast<double>(LayerRecord::kPieces);
   const double height = row_px * static_cast<double>(rows);
+  const std::size_t named_each = std::max<std::size_t>(1, (rows + 11) / 12);
   std::string svg = "<svg viewBox=\"0 0 " + formatted("%.0f", width + 40.0) + " " +
-                    formatted("%.0f", height + 4.0) +
+                    formatted("%.0f", height + kScaleHeight) +
                     "\" role=\"img\" aria-label=\"error along each layer\" shape-rendering=\"crispEdges\">\n";
   for (std::size_t row = 0; row < rows; ++row) {
     const LayerRecord& layer = record.layers()[row * layers / rows];
@@ -105,13 +130,12 @@ std::string deviationDrawing(const LoopRecord& record, double most_mm) {
              formatted("%.1f", y) + "\" width=\"5.2\" height=\"" + formatted("%.1f", row_px + 0.2) +
              "\" fill=\"" + hexColour(colourAt(ColourMap::Diverging, fraction)) + "\"/>";
     }
-    const bool is_named = row == 0 || row + 1 == rows || row == rows / 2;
-    if (is_named)
+    if (row % named_each == 0)
       svg += "<text x=\"34\" y=\"" + formatted("%.1f", y + std::max(row_px, 9.0)) +
              "\" font-size=\"11\" text-anchor=\"end\">" + std::to_string(layer.figures.layer) + "</text>";
     svg += "\n";
   }
-  return svg + "</svg>\n";
+  return svg + colourScale(height + 8.0, most_mm) + "</svg>\n";
 }
 
 std::string alarmsOf(const LayerRecord& layer) {
@@ -180,10 +204,7 @@ std::string loopReport(const LoopRecord& record) {
   const double most_mm = colouredUpTo(record);
   page.heading("Error along each layer");
   page.paragraph(
-      "From left to right as the nozzle comes by, the first layer at the bottom. Blue is too low, red too "
-      "high; "
-      "full colour is " +
-      formatted("%.3f", most_mm) + " mm.");
+      "A strip for each layer, from left to right as the nozzle comes by, the first layer at the bottom.");
   page.drawing(deviationDrawing(record, most_mm));
   page.heading("Last layer");
   page.pictures(

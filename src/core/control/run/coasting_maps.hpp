@@ -18,7 +18,8 @@ namespace lamina {
 /// map does not come in time.
 class CoastingMaps {
  public:
-  /// Gives the next layer its coasting map, by what is learnt of the growth and without the error: what the
+  /// Gives the next layer its coasting map, and for a feeder with a dead time decides with what that layer is
+  /// expected to begin. The coasting map goes by what is learnt of the growth and without the error: what the
   /// layer under way will show may come too late.
   /// @param next  the loop at the beginning of the next layer, as if nothing was seen of the one under way
   /// @param laid  the layer under way
@@ -26,6 +27,9 @@ class CoastingMaps {
                             const LoopRunSettings& settings);
   /// Begins a layer, whose coasting map, if it has one, is what it falls back on.
   void begin(std::size_t layer, LaidLayer& laid);
+
+  /// The map of the layer under way with what is expected of the next one.
+  CorrectionMap withAhead(CorrectionMap map) const;
 
   /// States that the machine has begun the layer under way by its coasting map.
   void use() { is_used_ = true; }
@@ -37,6 +41,7 @@ class CoastingMaps {
  private:
   std::optional<LaidLayer> next_;              ///< as it is if its coasting map is applied
   std::map<std::size_t, CorrectionMap> maps_;  ///< by layer
+  ExpectedBeginning ahead_;                    ///< of the next layer
   bool is_used_ = false;
 };
 

@@ -126,10 +126,13 @@ std::vector<CellOutcome> LaidLayer::outcomes(const LayerCells& cells,
                                              const std::vector<CellEstimate>& estimates) const {
   std::vector<CellOutcome> outcomes;
   outcomes.reserve(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const CellEstimate& cell = estimates[i];
-    outcomes.push_back(
-        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), correction().amount[i], cell.isSeen()});
+  for (const CellRun& run : cells.runs) {
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+      const CellEstimate& cell = estimates[i];
+      outcomes.push_back({cells.middle[i], cell.error(), std::sqrt(cell.variance()), correction().amount[i],
+                          cell.isSeen(), run.cellLength() * cells.tangent[i], cells.width_mm[i],
+                          cell.gain()});
+    }
   }
   return outcomes;
 }

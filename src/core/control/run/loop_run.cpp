@@ -510,7 +510,7 @@ void LoopRun::blockIfLump() {
 }
 
 void LoopRun::publishMap() {
-  news_.maps.push_back(laid_->map(loop_->cells(), part_.toolpath_id, map_sequence_));
+  news_.maps.push_back(coasting_->withAhead(laid_->map(loop_->cells(), part_.toolpath_id, map_sequence_)));
 }
 
 /// Layers without a scan pass are not judged where others have one, unless they were seen.

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "markers/deviation_markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "conversions.hpp"
+
+namespace lamina {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+constexpr double kFullShare = 0.25;  // of the layer's height
+constexpr float kOther = 0.12F;      // of the other two colours where one is full
+constexpr double kTextAboveLayers = 3.0;
+constexpr double kLeastText = 0.5;  // mm
+constexpr double kTextShare =
+    0.05;  // height of the letters over the extent of the layer: its lines are as long
+
+std_msgs::ColorRGBA grey(float level) {
+  std_msgs::ColorRGBA colour;
+  colour.r = colour.g = colour.b = level;
+  colour.a = 1.0F;
+  return colour;
+}
+
+Marker newMarker(const char* name, const std::string& frame) {
+  Marker marker;
+  marker.header.frame_id = frame;
+  marker.ns = name;
+  marker.pose.orientation.w = 1.0;
+  marker.frame_locked = 1U;
+  return marker;
+}
+
+std::string scaleText(const LayerOutcome& layer, double full_mm) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "layer %zu: off by %.3f mm (rms), %+.3f mm in the mean\nred: %.2f mm too high, blue: too low, "
+      "grey: not seen",
+      layer.figures.layer, layer.figures.rmse_mm, -layer.figures.mean_error_mm, full_mm);
+  return text;
+}
+
+Marker scaleMarker(const LayerOutcome& layer, double full_mm, Marker text,
+                   const Eigen::Isometry3d& frame_from_part) {
+  text.type = Marker::TEXT_VIEW_FACING;
+  Point3 low = frame_from_part * layer.cells.front().at;
+  Point3 high = low;
+  for (const CellOutcome& cell : layer.cells) {
+    const Point3 at = frame_from_part * cell.at;
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  Point3 place = 0.5 * (low + high);
+  place.z() = high.z() + kTextAboveLayers * layer.figures.height_mm;
+  text.pose.position = toMessage(place);
+  text.scale.z = toMetres(std::max(kLeastText, kTextShare * (high - low).norm()));
+  text.color = grey(0.1F);
+  text.text = scaleText(layer, full_mm);
+  return text;
+}
+
+}  // namespace
+
+std_msgs::ColorRGBA deviationColour(double deviation_mm, double full_mm) {
+  const auto share = static_cast<float>(std::min(1.0, std::abs(deviation_mm) / full_mm));
+  const float other = 1.0F - (1.0F - kOther) * share;
+  std_msgs::ColorRGBA colour = grey(other);
+  (deviation_mm > 0.0 ? colour.r : colour.b) = 1.0F;
+  return colour;
+}
+
+MarkerArray deviationMarkers(const LayerOutcome& layer, const std::string& frame,
+                             const Eigen::Isometry3d& frame_from_part) {
+  MarkerArray all;
+  if (layer.cells.empty()) return all;
+  const double full_mm = kFullShare * layer.figures.height_mm;
+  Marker beads = newMarker("beads", frame);
+  beads.id = static_cast<std::int32_t>(layer.figures.layer);
+  beads.type = Marker::LINE_LIST;
+  beads.color = grey(1.0F);
+  double width_mm = 0.0;
+  for (const CellOutcome& cell : layer.cells) {
+    const std_msgs::ColorRGBA colour = cell.is_seen ? deviationColour(-cell.error_mm, full_mm) : grey(0.55F);
+    for (const double side : {-0.5, 0.5}) {
+      beads.points.push_back(toMessage(Point3(frame_from_part * (cell.at + side * cell.along_mm))));
+      beads.colors.push_back(colour);
+    }
+    width_mm += cell.width_mm / static_cast<double>(layer.cells.size());
+  }
+  beads.scale.x = toMetres(width_mm);
+  all.markers = {beads, scaleMarker(layer, full_mm, newMarker("scale", frame), frame_from_part)};
+  return all;
+}
+
+MarkerArray noDeviationMarkers(const std::string& frame) {
+  MarkerArray all;
+  all.markers.push_back(newMarker("beads", frame));
+  all.markers.back().action = Marker::DELETEALL;
+  return all;
+}
+
+}  // namespace lamina

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/report/loop_report.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lamina {
+namespace {
+
+/// Layers of 200 cells, each a piece of the picture: too low by 0.5 mm in the first half, as planned behind.
+LoopRecord recordOf(std::size_t layers) {
+  LoopRecord record("wall", "0123456789abcdef");
+  for (std::size_t k = 0; k < layers; ++k) {
+    LayerOutcome layer;
+    layer.figures.layer = k;
+    layer.figures.is_measured = true;
+    layer.figures.coverage = 1.0;
+    for (int i = 0; i < 200; ++i) {
+      CellOutcome cell;
+      cell.error_mm = i < 100 ? 0.5 : 0.0;
+      cell.along_mm = {0.5, 0.0, 0.0};
+      layer.cells.push_back(cell);
+    }
+    record.add(layer, "00000000000000aa");
+  }
+  return record;
+}
+
+std::size_t countOf(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++count;
+  return count;
+}
+
+TEST(LoopReport, SaysWhatItsColoursMean) {
+  const std::string page = loopReport(recordOf(3));
+  EXPECT_NE(page.find(">0.50 mm too low</text>"), std::string::npos);
+  EXPECT_NE(page.find(">as planned</text>"), std::string::npos);
+  EXPECT_NE(page.find(">0.50 mm too high</text>"), std::string::npos);
+}
+
+TEST(LoopReport, NamesALayerInTwelfthsOfThePicture) {
+  // Beside the numbers of layers there are the three words of the scale.
+  EXPECT_EQ(countOf(loopReport(recordOf(3)), "</text>"), 3U + 3U);
+  EXPECT_EQ(countOf(loopReport(recordOf(24)), "</text>"), 12U + 3U);
+}
+
+TEST(LoopReport, OfNoLayerSaysSo) {
+  EXPECT_NE(loopReport(LoopRecord("wall", "id")).find("No layer was done."), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lamina

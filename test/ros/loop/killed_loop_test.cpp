@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The loop is killed while a layer is deposited, and started again: what the machine does meanwhile, through
+// all nodes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lamina/control/program/correction_files.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
+#include "lamina/planning/scan_pass.hpp"
+#include "ros/loop/streamed_cell.hpp"
+#include "ros/node_process.hpp"
+#include "ros/ros_home.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+using test::waitUntil;
+
+constexpr double kLayer = 1.5;    // mm
+constexpr double kLength = 24.0;  // mm: in one swath of the sensor
+constexpr double kSpeed = 20.0;   // mm/s
+constexpr std::size_t kLayers = 14;
+constexpr std::size_t kKilledIn = 5;  // layer
+
+MachineToolpath scannedWall() {
+  Toolpath wall;
+  wall.part_name = "wall";
+  for (std::size_t k = 0; k < kLayers; ++k) {
+    const double z = kLayer * static_cast<double>(k + 1);
+    Path bead;
+    bead.role = PathRole::OuterWall;
+    bead.bead = Bead{3.0, kLayer};
+    bead.feed_mm_s = kSpeed;
+    bead.points = {{0, 0, z}, {kLength, 0, z}};
+    Path travel;
+    travel.role = PathRole::Travel;
+    travel.feed_mm_s = 100.0;
+    if (k > 0) travel.points = {wall.layers.back().paths.back().lastPoint(), bead.points.front()};
+    wall.layers.push_back({z, kLayer, {}});
+    if (k > 0) wall.layers.back().paths.push_back(travel);
+    wall.layers.back().paths.push_back(bead);
+  }
+  const BuildSpace space = buildSpaceByName("cartesian_gantry");
+  ScanSettings scan;
+  scan.every_layers = 1;
+  scan.feed_mm_s = 40.0;
+  MachineToolpath placed;
+  placed.machine = space.name;
+  placed.toolpath = withScanPasses(wall, scan, {sensorOffset(space), Point2::Zero()});
+  placed.bed_from_part = Eigen::Translation3d(90.0, 110.0, 0.0);
+  placed.id = toolpathId(placed.toolpath);
+  return placed;
+}
+
+/// A cell whose loop the test starts and kills.
+class KilledCell : public test::StreamedCell {
+ public:
+  explicit KilledCell(std::string memory) : StreamedCell("killed"), memory_(std::move(memory)) {
+    const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+        [this](const auto& message) { applied.push_back(*message); };
+    const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state =
+        [this](const auto& message) { machine_layer = message->layer; };
+    const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_loop = [this](const auto& message) {
+      loop_states.push_back(message->state);
+    };
+    applied_ = node_.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 0, on_applied);
+    machine_ = node_.subscribe<lamina_msgs::MachineState>(names::kMachineState, 0, on_state);
+    loop_ = node_.subscribe<lamina_msgs::LoopState>(names::kLoopState, 0, on_loop);
+  }
+
+  void startLoop() {
+    const std::vector<std::string> arguments = {"__ns:=/killed",
+                                                "/tf:=/killed/tf",
+                                                "/tf_static:=/killed/tf_static",
+                                                "_request:=active",
+                                                "_sensor/time_offset_trusted:=true",
+                                                "_sensor/place_trusted:=true",
+                                                "_pauses_print:=false",
+                                                "_memory_file:=" + memory_};
+    process_ = std::make_unique<test::NodeProcess>(LAMINA_LOOP_NODE, arguments);
+  }
+  /// It says nothing any more from now on.
+  void freezeLoop() const { kill(process_->id(), SIGSTOP); }
+  int killLoop() { return process_->end(SIGKILL); }
+
+  const lamina_msgs::CorrectionMap* mapOf(std::size_t layer, bool is_coasting) const {
+    const auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& map) {
+      return map.layer == layer && (map.sequence == 0) == is_coasting;
+    });
+    return found == maps.end() ? nullptr : &*found;
+  }
+  const lamina_msgs::AppliedCorrection* appliedTo(std::size_t layer) const {
+    const auto found = std::find_if(applied.begin(), applied.end(),
+                                    [&](const auto& message) { return message.layer == layer; });
+    return found == applied.end() ? nullptr : &*found;
+  }
+
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  std::vector<std::uint8_t> loop_states;
+  std::int32_t machine_layer = -1;
+
+ private:
+  std::string memory_;
+  ros::NodeHandle node_{"killed"};
+  ros::Subscriber applied_, machine_, loop_;
+  std::unique_ptr<test::NodeProcess> process_;
+};
+
+/// Amounts of the layers as they were applied, one after the other.
+std::vector<double> appliedAmounts(const std::string& folder, std::size_t first, std::size_t last) {
+  std::vector<double> amounts;
+  for (const FiledMap& filed : readCorrectionFiles(folder)) {
+    if (filed.map.layer < first || filed.map.layer > last) continue;
+    for (const PathCorrection& path : filed.map.paths)
+      for (const PointCorrection& place : path.stations) amounts.push_back(place.amount);
+  }
+  return amounts;
+}
+
+/// The layer that is under way keeps its map, the next one is laid by its coasting map, and then the loop is
+/// there again.
+TEST(KilledLoop, IsCoastedForAndComesBack) {
+  const test::ScratchFolder folder;
+  KilledCell cell(folder.file("memory.yaml"));
+  cell.startLoop();
+  cell.print(scannedWall());
+  ASSERT_TRUE(waitUntil([&] { return cell.mapOf(kKilledIn, false) != nullptr; }));
+  cell.freezeLoop();
+  ASSERT_NE(cell.mapOf(kKilledIn + 1, true), nullptr) << "comes ahead of the map of the layer below";
+  ASSERT_TRUE(waitUntil([&] { return cell.machine_layer >= static_cast<std::int32_t>(kKilledIn); }));
+  EXPECT_EQ(cell.killLoop(), -1);
+  ASSERT_TRUE(waitUntil([&] { return cell.appliedTo(kKilledIn + 1) != nullptr; }));
+  EXPECT_EQ(cell.appliedTo(kKilledIn + 1)->digest, cell.mapOf(kKilledIn + 1, true)->digest);
+  EXPECT_EQ(cell.appliedTo(kKilledIn)->digest, cell.mapOf(kKilledIn, false)->digest);
+  cell.loop_states.clear();
+  cell.startLoop();
+  ASSERT_TRUE(waitUntil([&] { return cell.isOver(); })) << cell.applied.size() << " layers";
+  EXPECT_EQ(cell.status().code, lamina_msgs::Status::OK + 0) << cell.status().message;
+  EXPECT_TRUE(waitUntil([&] { return cell.layers.back().layer + 1 == kLayers; }));
+  // Cells of 0.5 mm; 0.5 /s at 20 mm/s are 0.025 a millimetre.
+  const std::vector<double> amounts =
+      appliedAmounts(test::inRosHome("killed_loop_maps"), kKilledIn, kKilledIn + 1);
+  ASSERT_EQ(amounts.size(), 2U * 48U);
+  for (std::size_t i = 1; i < amounts.size(); ++i)
+    EXPECT_LE(std::abs(amounts[i] - amounts[i - 1]), 0.0125 * (1.0 + 1e-9)) << i;
+  EXPECT_GT(amounts.back(), 0.02) << "a feeder that gives 0.9, and 5 % more or less by place";
+  ASSERT_FALSE(cell.loop_states.empty());
+  EXPECT_NE(std::find(cell.loop_states.begin(), cell.loop_states.end(), lamina_msgs::LoopState::ACTIVE + 0),
+            cell.loop_states.end());
+  for (std::size_t layer = kLayers - 3; layer < kLayers; ++layer) {
+    ASSERT_NE(cell.mapOf(layer, false), nullptr) << layer;
+    EXPECT_EQ(cell.appliedTo(layer)->digest, cell.mapOf(layer, false)->digest) << layer;
+  }
+  EXPECT_TRUE(cell.layers.back().is_measured);
+  EXPECT_LT(1e3 * cell.layers.back().rmse, 0.1 * kLayer);
+}
+
+}  // namespace
+}  // namespace lamina
