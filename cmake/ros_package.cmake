@@ -10,12 +10,12 @@ add_message_files(FILES
   AlarmReport.msg AppliedCorrection.msg Bead.msg CellAlarm.msg CellAlarms.msg CellJob.msg CorrectionMap.msg CorrectionPath.msg
   DepositionState.msg DepositionSummary.msg FilledVoid.msg HeaterState.msg HostNode.msg HostPeer.msg HostState.msg
   InclineSummary.msg JobQueue.msg JogState.msg JointTolerance.msg LayerHeight.msg LoopFigures.msg LoopState.msg MachineState.msg
-  ManualState.msg Measuring.msg PackmlStatus.msg PlcInputs.msg ProcessOutput.msg ProcessPoint.msg ProcessReady.msg ProcessState.msg
-  ProcessTrajectory.msg ProcessValue.msg ProfileCounts.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg
+  ManualState.msg Measuring.msg PackmlStatus.msg PlcInputs.msg PrintProgress.msg ProcessOutput.msg ProcessPoint.msg ProcessReady.msg ProcessState.msg
+  ProcessTrajectory.msg ProcessValue.msg ProfileCounts.msg ResumeStep.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg
   ToolpathEvent.msg ToolpathLayer.msg ToolpathPath.msg TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
 add_service_files(FILES
   AcknowledgeAlarm.srv CalibrateFeeder.srv CalibrateSensor.srv CalibrateTime.srv ChangeJob.srv ChangeQueue.srv EnqueueJob.srv
-  FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv MoveByHand.srv PackmlCommand.srv RunStartup.srv SetIo.srv
+  FillVoids.srv FinishMeasuring.srv InclineGcode.srv JudgePart.srv LoadProgram.srv MachineRest.srv MoveByHand.srv PackmlCommand.srv ResumePlace.srv RunStartup.srv SetIo.srv
   SetLoop.srv SetRemoteAccess.srv SetUnitMode.srv SliceMesh.srv)
 add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action Optimise.action SimulateDeposition.action Slice.action
   StreamProgram.action)

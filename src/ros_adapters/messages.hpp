@@ -35,6 +35,7 @@
 #include <lamina/InclineSummary.h>
 #include <lamina/JobQueue.h>
 #include <lamina/JogState.h>
+#include <lamina/JudgePart.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/LoopFigures.h>
@@ -48,11 +49,14 @@
 #include <lamina/PackmlCommand.h>
 #include <lamina/PackmlStatus.h>
 #include <lamina/PlcInputs.h>
+#include <lamina/PrintProgress.h>
 #include <lamina/ProcessReady.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
 #include <lamina/ProcessValue.h>
 #include <lamina/ProfileCounts.h>
+#include <lamina/ResumePlace.h>
+#include <lamina/ResumeStep.h>
 #include <lamina/RunStartup.h>
 #include <lamina/SetIo.h>
 #include <lamina/SetLoop.h>

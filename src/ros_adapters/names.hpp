@@ -20,6 +20,7 @@ inline constexpr char kFrameMarkers[] = "frame_markers";          ///< visualiza
 inline constexpr char kRefusalMarkers[] = "refusal_markers";      ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kVoidMarkers[] = "void_markers";            ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kMachineState[] = "machine_state";          ///< lamina/MachineState, latched
+inline constexpr char kPrintProgress[] = "print_progress";        ///< lamina/PrintProgress
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
 inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState
@@ -79,12 +80,13 @@ inline constexpr char kHeaterState[] = "heater_state";    ///< lamina/HeaterStat
 inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
 inline constexpr char kFillVoids[] = "fill_voids";  ///< lamina/FillVoids
 inline constexpr char kInclineGcode[] =
-    "incline_gcode";                                  ///< lamina/InclineGcode, and the action lamina/Incline
-inline constexpr char kPause[] = "pause";             ///< std_srvs/Trigger
-inline constexpr char kResume[] = "resume";           ///< std_srvs/Trigger
-inline constexpr char kAbort[] = "abort";             ///< std_srvs/Trigger
-inline constexpr char kChangeJob[] = "change_job";    ///< lamina/ChangeJob
-inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
+    "incline_gcode";                                ///< lamina/InclineGcode, and the action lamina/Incline
+inline constexpr char kPause[] = "pause";           ///< std_srvs/Trigger
+inline constexpr char kResume[] = "resume";         ///< std_srvs/Trigger
+inline constexpr char kAbort[] = "abort";           ///< std_srvs/Trigger
+inline constexpr char kChangeJob[] = "change_job";  ///< lamina/ChangeJob
+inline constexpr char kResumePlace[] = "resume_place";          ///< lamina/ResumePlace
+inline constexpr char kRunStartup[] = "run_startup";            ///< lamina/RunStartup
 inline constexpr char kSaveHeightMap[] = "save_height_map";     ///< std_srvs/Trigger
 inline constexpr char kReadCalibration[] = "read_calibration";  ///< std_srvs/Trigger
 inline constexpr char kCalibrateTime[] = "calibrate_time";      ///< lamina/CalibrateTime
@@ -100,6 +102,7 @@ inline constexpr char kMoveByHand[] = "move_by_hand";             ///< lamina/Mo
 inline constexpr char kEnqueueJob[] = "enqueue_job";              ///< lamina/EnqueueJob
 inline constexpr char kChangeQueue[] = "change_queue";            ///< lamina/ChangeQueue
 inline constexpr char kAcknowledgeAlarm[] = "acknowledge_alarm";  ///< lamina/AcknowledgeAlarm
+inline constexpr char kJudgePart[] = "judge_part";                ///< lamina/JudgePart
 inline constexpr char kConfirmRemoval[] = "confirm_removal";      ///< std_srvs/Trigger
 inline constexpr char kSetRemoteAccess[] = "set_remote_access";   ///< lamina/SetRemoteAccess
 

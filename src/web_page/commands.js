@@ -2,6 +2,7 @@
 import { post } from "/page/api.js";
 import { ask } from "/page/dialogs.js";
 import { byId, setText } from "/page/elements.js";
+import { showResume, walkThrough, wireResume } from "/page/resume.js";
 import { texts } from "/page/texts.js";
 
 // A second press, or one that was meant for what the button said before, is no order to go on from there.
@@ -37,13 +38,18 @@ async function next() {
   const seen = sequence();
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
   const refusal = state.unit.resume_refusal;
-  const discard = { value: "discard", label: texts.discard, kind: "stop" };
+  if (!refusal) {
+    const { choice, confirmed } = await walkThrough(jobName());
+    if (choice) await give("Start", { ...seen, cut_off: choice, ...(choice === "resume" && { confirmed }) });
+    return undefined;
+  }
   const choice = await ask({
     title: texts.start_title,
-    text: refusal ? texts.start_refused(jobName(), refusal) : texts.start_text(jobName()),
-    answers: refusal ? [discard] : [{ value: "resume", label: texts.resume, kind: "primary" }, discard],
+    text: texts.start_refused(jobName(), refusal),
+    answers: [{ value: "discard", label: texts.discard, kind: "stop" }],
   });
   if (choice) await give("Start", { ...seen, cut_off: choice });
+  return undefined;
 }
 
 async function stop() {
@@ -59,6 +65,7 @@ async function abort() {
 }
 
 export function wireCommands() {
+  wireResume();
   byId("hold").addEventListener("click", () => give("Hold"));
   byId("next").addEventListener("click", next);
   byId("stop").addEventListener("click", stop);
@@ -70,6 +77,7 @@ export function wireCommands() {
 
 export function showCommands(shown, rights) {
   state = shown;
+  showResume(shown.unit);
   const step = texts.next[shown.unit.state];
   const word = step ? step[1] : "";
   if (offered !== null && offered !== word) offeredSince = Date.now();

@@ -20,6 +20,26 @@ async function printAgain(record) {
   }
 }
 
+async function judge(record, choice) {
+  try {
+    await post(`/api/v1/jobs/${record.job}/verdict`, { verdict: choice.value });
+    shown = ""; // the list is asked for with the next state
+  } catch (error) {
+    choice.value = record.verdict;
+    tell(error.status ? error.message : texts.no_link);
+  }
+}
+
+/** What a person may say of it; the verdict of the unit stands until then. */
+function verdictChoice(record) {
+  const known = ["good", "rework", "scrap"];
+  const values = known.includes(record.verdict) ? known : [record.verdict, ...known];
+  const choice = element("select", { "aria-label": texts.of_job(texts.verdict, record.name), onchange: () => judge(record, choice) },
+    ...values.map((value) => element("option", { value }, texts.verdicts[value] ?? value)));
+  choice.value = record.verdict;
+  return choice;
+}
+
 function recordRow(record) {
   const link = (what, text) => element("a",
     { href: `/api/v1/jobs/${record.job}/${what}`, target: "_blank", rel: "noopener", "aria-label": texts.of_job(text, record.name) },
@@ -27,6 +47,7 @@ function recordRow(record) {
   return element("li", { class: "job" },
     element("div", {}, element("p", { class: "job-title" }, record.name), element("p", { class: "muted" })),
     element("div", { class: "line" },
+      verdictChoice(record),
       link("record", texts.record),
       link("layers", texts.record_layers),
       element("button", { type: "button", "aria-label": texts.of_job(texts.again, record.name), onclick: () => printAgain(record) },
@@ -38,7 +59,8 @@ function updateRow(row, record, mayOperate) {
   if (record.ended_utc_s !== null) details.unshift(dayTime(record.ended_utc_s));
   if (record.reason) details.push(record.reason);
   setText(row.firstChild.lastChild, details.join(", "));
-  row.lastChild.lastChild.hidden = !mayOperate;
+  row.lastChild.lastChild.hidden = row.lastChild.firstChild.hidden = !mayOperate;
+  if (document.activeElement !== row.lastChild.firstChild) row.lastChild.firstChild.value = record.verdict;
 }
 
 async function askRecords(mayOperate) {

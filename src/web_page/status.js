@@ -42,6 +42,8 @@ export function showState(state, layers) {
     [texts.fact_layer, progress.layer < 0 ? texts.none : texts.layer_of(progress.layer + 1, layers)],
     [texts.fact_left, job ? leftText(progress.left) : texts.none],
   ];
+  if (job && progress.material_m3 > 0)
+    facts.push([texts.fact_material, texts.laid(progress.laid_m.toFixed(2), (progress.material_m3 * 1e6).toFixed(1))]);
   if (state.loop) facts.push([texts.fact_loop, state.loop.state]);
   facts.push([texts.fact_mode, unit.mode], [texts.fact_in_state, duration(unit.in_state_s)]);
   setFacts(byId("facts"), facts);

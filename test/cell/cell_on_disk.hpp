@@ -26,6 +26,7 @@ class PrintingExecutor final : public Executor {
     EXPECT_TRUE(is_known || order.start != ExecutionStart::Resume) << "nothing is there to go on with";
     EXPECT_FALSE(is_known && order.start == ExecutionStart::Anew) << "it would lay lines twice";
     orders.emplace_back(is_known ? "resume job" : "start");
+    progress = order.progress;
     if (is_known) ++resumed[order.program];
     execution_ = order.execution;
     const std::uint64_t from = is_known ? taken[execution_] : 0;
@@ -89,6 +90,7 @@ class PrintingExecutor final : public Executor {
   }
 
   ExecutorTraits kind;
+  ExecutionProgress progress;  ///< of the last order to start
   ExecutorReport report;
   std::vector<std::string> orders;
   int pauses_not_heard = 0;                    ///< as of one that the job has not reached yet

@@ -446,6 +446,32 @@ TEST(ProductionCell, ResumesNothingOnAnExecutorThatDoesNot) {
   EXPECT_EQ(cell.journal().job(next).state, JobState::Ended);
 }
 
+// Whatever the executor reports on its way there: a second kill must not lose the place.
+TEST(ProductionCell, KeepsWhatIsLaidWhileItsJobIsResumed) {
+  Cell cell;
+  bringToExecute(cell);
+  cell.executor.report.progress.path_mm = 120.0;
+  for (int i = 0; i < 3; ++i) cell.step();
+  cell.executor.fail(3101, "the controller is silent");
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  const ExecutionProgress before = cell.journal().open()->progress;
+  EXPECT_EQ(before.path_mm, 120.0);
+  recover(cell);
+  EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted)
+      << cell.answer.reason;
+  EXPECT_EQ(cell.executor.progress.path_mm, 120.0) << "the order has it";
+  EXPECT_EQ(cell.executor.progress.taken_through, before.taken_through);
+  cell.executor.report.progress = {};
+  cell.run().onReport(cell.executor.report, cell.now);
+  cell.now.steady_s += 1.0;
+  cell.run().onReport(cell.executor.report, cell.now);
+  const ExecutionProgress after = cell.journal().open()->progress;
+  EXPECT_EQ(after.path_mm, 120.0);
+  EXPECT_EQ(after.deposited_mm3, before.deposited_mm3);
+  EXPECT_EQ(after.taken_through, before.taken_through);
+  EXPECT_EQ(after.sent_through, before.sent_through);
+}
+
 TEST(ProductionCell, TakesThePlateToBeOccupiedWhenTheJournalIsLost) {
   Cell cell;
   EXPECT_FALSE(cell.run().isPartOnPlate());

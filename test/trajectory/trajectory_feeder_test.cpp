@@ -111,6 +111,69 @@ bool isSafe(const TrajectoryFeeder& feeder, double from_s, double to_s) {
   return true;
 }
 
+// 40 mm of a square, a travel, and 10 mm of a line.
+TEST(TrajectoryFeeder, BeginsOnABeadAndLaysTheRestOnce) {
+  for (const double from_mm : {3.0, 10.0, 27.5, 40.0, 46.0}) {
+    const TimingSettings settings = powderSettings(0.01);
+    const TimedPath timed = timedGantry(test::twoLayers(), settings);
+    const TrajectoryFeeder feeder(timed, {}, from_mm);
+    const TiltingGantry gantry;
+    const Point3 corner = from_mm <= 10.0  ? Point3(from_mm, 0, 0.2)
+                          : from_mm < 30.0 ? Point3(30.0 - from_mm, 10, 0.2)
+                                           : Point3(from_mm - 40.0, 0, 0.4);
+    // Roundings of corners pass them at a distance.
+    EXPECT_LT((gantry.bedFromNozzle(feeder.at(0.0).position).translation() - corner).norm(), 0.05) << from_mm;
+    EXPECT_EQ(feeder.at(0.0).velocity.norm(), 0.0);
+    EXPECT_EQ(feeder.at(0.0).process.flow_mm3_s, 0.0);
+    EXPECT_NEAR(feeder.laidAt(0.0).length_mm, from_mm, 1e-6);
+    EXPECT_NEAR(feeder.laidAt(feeder.restTime()).length_mm, 50.0, 1e-6);
+    const Outcome outcome = outcomeOf(feeder, test::twoLayers(), settings, feeder.restTime() + 0.1);
+    const double area = crossSection({0.4, 0.2});
+    EXPECT_NEAR(outcome.volume, (50.0 - from_mm) * area, 50.0 * area * kVolumeTolerance) << from_mm;
+    EXPECT_LT(outcome.farthest, 0.05) << from_mm;
+    EXPECT_LT(outcome.acceleration, 1.01) << from_mm;
+    EXPECT_LT((feeder.at(feeder.restTime()).position - timed.at(timed.duration()).position).norm(), 1e-9);
+  }
+}
+
+TEST(TrajectoryFeeder, StartsItsProcessOnABeadAsAtAStart) {
+  TimingSettings settings = powderSettings();
+  settings.process.kind = ProcessKind::Wire;
+  settings.process.settling_s = 0.4;
+  settings.process.wait_before_s = 0.3;
+  settings.process.laser_on_lead_s = 0.2;
+  settings.process.wire_on_lead_s = 0.1;
+  const TrajectoryFeeder feeder(timedGantry(trajectoryFeederLine(), settings), {}, 12.0);
+  const std::vector<ProcessEvent> events = feeder.events();
+  ASSERT_GE(events.size(), 3U);
+  EXPECT_EQ(events[0].channel, ProcessChannel::Gas);
+  EXPECT_NEAR(events[0].time_s, 0.0, 1e-9);
+  EXPECT_EQ(events[1].channel, ProcessChannel::Laser);
+  EXPECT_NEAR(events[1].time_s, 0.7 - 0.2, 1e-9);
+  EXPECT_EQ(events[2].channel, ProcessChannel::Wire);
+  EXPECT_NEAR(events[2].time_s, 0.7 - 0.1, 1e-9);
+  EXPECT_EQ(feeder.at(0.7).velocity.norm(), 0.0);
+  EXPECT_GT(feeder.at(0.8).velocity.norm(), 0.0);
+}
+
+TEST(TrajectoryFeeder, PausesAndChangesItsSpeedWhereItBegan) {
+  const TimingSettings settings = powderSettings();
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), settings);
+  TrajectoryFeeder feeder(timed, {}, 12.0);
+  feeder.setSpeed(0.5, -0.2);
+  feeder.pause(0.3);
+  feeder.resume(2.0);
+  const Outcome outcome = outcomeOf(feeder, trajectoryFeederLine(), settings, feeder.restTime() + 0.1);
+  EXPECT_NEAR(outcome.volume, 18.0 * crossSection({0.4, 0.2}), 0.05);
+  EXPECT_NEAR(feeder.laidAt(feeder.restTime()).volume_mm3, 30.0 * crossSection({0.4, 0.2}), 1e-6);
+}
+
+TEST(TrajectoryFeeder, RefusesToBeginWhereAllIsLaid) {
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
+  EXPECT_THROW(TrajectoryFeeder(timed, {}, 30.0), InvalidInput);
+  EXPECT_NO_THROW(TrajectoryFeeder(timed, {}, 29.9));
+}
+
 TEST(TrajectoryFeeder, PausesAnywhereAndLaysEverythingOnce) {
   EXPECT_TRUE(rc::check("a job with pauses lays what it would without, on its path, within limits", [] {
     Toolpath toolpath = test::randomToolpath(*rc::gen::arbitrary<std::uint64_t>());

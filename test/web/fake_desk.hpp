@@ -81,6 +81,10 @@ class FakeDesk final : public CellDesk {
     return take("acknowledge " + std::to_string(alarm) + " by " + source);
   }
   DeskAnswer confirmRemoval(const std::string& source) override { return take("removal by " + source); }
+  DeskAnswer judge(const DeskVerdict& verdict) override {
+    return take("verdict of " + std::to_string(verdict.job) + ": " + verdict.verdict + " by " +
+                verdict.source + ", " + verdict.reason);
+  }
   DeskAnswer startup(StartupCommand command, const std::string& step) override {
     return take("startup " + std::to_string(static_cast<int>(command)) + " " + step);
   }

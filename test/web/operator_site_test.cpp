@@ -280,9 +280,27 @@ TEST(OperatorSite, AnswersWhatTheCellRefusesWithTheReasonAndWhatItWouldAccept) {
   EXPECT_EQ(site.desk.orders().back(), "Start by page: this host at 12 cut_off 1");
   EXPECT_EQ(site.lastAudit(),
             "this host | POST /api/v1/commands: Start | refused 409: meant for another state");
+  site.ask(HttpMethod::Post, "/api/v1/commands", page,
+           R"({"command":"Start","cut_off":"resume","confirmed":["part","way"]})");
+  EXPECT_EQ(site.lastAudit(),
+            "this host | POST /api/v1/commands: Start; confirmed: part, way | refused 409: meant for another "
+            "state");
   site.desk.next = {DeskAnswer::Outcome::Silent, 0, "no answer", 0};
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 503);
   EXPECT_EQ(site.desk.orders().back(), "change 0 of 3 by page: this host");
+}
+
+TEST(OperatorSite, PassesOnWhatAPersonSaysOfAPart) {
+  SiteOfFakes site;
+  const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
+  EXPECT_EQ(
+      site.ask(HttpMethod::Post, "/api/v1/jobs/12/verdict", page, R"({"verdict":"scrap","reason":"a hole"})")
+          .status,
+      200);
+  EXPECT_EQ(site.desk.orders().back(), "verdict of 12: scrap by page: this host, a hole");
+  EXPECT_EQ(site.lastAudit(), "this host | POST /api/v1/jobs/12/verdict: job 12 is scrap | done 200");
+  EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/12/verdict", page, R"({"verdict":"aborted"})").status,
+            400);
 }
 
 TEST(OperatorSite, RefusesBadBodiesAsAWhole) {
@@ -290,7 +308,9 @@ TEST(OperatorSite, RefusesBadBodiesAsAWhole) {
   const Headers page = {{"x-csrf-token", site.get("/api/v1/session")["csrf"]}};
   for (const char* body :
        {"", "[]", "{", R"({"command":3})", R"({"command":"Fly"})", R"({"command":"Start","if_sequence":-1})",
-        R"({"command":"Start","if_sequence":1.5})", R"({"command":"Start","cut_off":"both"})"})
+        R"({"command":"Start","if_sequence":1.5})", R"({"command":"Start","cut_off":"both"})",
+        R"({"command":"Start","confirmed":"part"})", R"({"command":"Start","confirmed":[1]})",
+        R"({"command":"Start","confirmed":["a name of seventeen"]})"})
     EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, body).status, 400) << body;
   for (const char* path : {"/api/v1/jobs/x/release", "/api/v1/jobs/-1/release",
                            "/api/v1/jobs/99999999999999999/move", "/api/v1/alarms/70000/acknowledge"})

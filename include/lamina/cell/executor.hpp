@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -26,6 +27,18 @@ inline bool isAtRest(ExecutorPhase phase) {
   return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done;
 }
 
+/// What was taken or laid is not taken back.
+inline ExecutionProgress furthest(const ExecutionProgress& before, ExecutionProgress now) {
+  if (now.taken_through < before.taken_through) {
+    now.taken_through = before.taken_through;
+    now.sent_through = before.sent_through;
+    now.layer = before.layer;
+  }
+  now.path_mm = std::max(now.path_mm, before.path_mm);
+  now.deposited_mm3 = std::max(now.deposited_mm3, before.deposited_mm3);
+  return now;
+}
+
 /// How an executor begins a job.
 enum class ExecutionStart : std::uint8_t {
   Anew,
@@ -41,6 +54,8 @@ struct StartOrder {
   std::uint64_t order = 0;
   /// Name of this execution of the job, unique across all journals.
   std::string execution;
+  /// What was reported of an execution that was cut off; nothing of one that begins.
+  ExecutionProgress progress = {};
 };
 
 /// The last report of an executor.

@@ -68,8 +68,8 @@ struct ExecutionProgress {
   std::uint64_t sent_through = 0;   ///< number of the last program line that may have been sent
   std::uint64_t taken_through = 0;  ///< number of the last line that the machine has certainly taken
   std::int32_t layer = -1;
-  double path_mm = 0.0;
-  double deposited_mm3 = 0.0;  ///< volume deposited
+  double path_mm = 0.0;        ///< length of beads laid
+  double deposited_mm3 = 0.0;  ///< volume of material used
 };
 
 /// An execution that has not ended: it is running or interrupted, or the process was killed.

@@ -31,6 +31,12 @@ enum class TrajectoryFeederState : std::uint8_t {
 
 class SpeedPlan;
 
+/// Length and volume of beads.
+struct LaidAmount {
+  double length_mm = 0.0;
+  double volume_mm3 = 0.0;
+};
+
 /// The reason why a share of the planned speeds is refused; empty for shares from 0.01 to `feeder.feed_most`.
 std::string speedRefusal(double share, const TrajectoryFeederSettings& settings);
 
@@ -53,8 +59,12 @@ struct ToolLift {
 /// laser, wire, powder and gas) when the motion rests after a pause, and at once after an abort.
 class TrajectoryFeeder {
  public:
-  /// @throws InvalidConfig naming key, value and bound
-  TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings);
+  /// @param from_mm  length of beads [mm] that is left out with all that comes before it: the motion begins
+  /// at
+  ///   rest where the bead goes on, or where the next one begins, and its process with the waits and leads of
+  ///   a start; 0 for all of it
+  /// @throws InvalidConfig naming key, value and bound; InvalidInput if nothing is laid after that length
+  TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings, double from_mm = 0.0);
   ~TrajectoryFeeder();
   TrajectoryFeeder(TrajectoryFeeder&&) noexcept;
   TrajectoryFeeder& operator=(TrajectoryFeeder&&) noexcept;
@@ -113,6 +123,8 @@ class TrajectoryFeeder {
   double restTime() const;
   /// Planned state of joints and process at a time.
   JointState at(double time_s) const;
+  /// What of the path's beads is laid at a time, as planned, from the start of the path.
+  LaidAmount laidAt(double time_s) const;
   /// The switching of the process, in order of time, as planned now.
   std::vector<ProcessEvent> events() const;
 

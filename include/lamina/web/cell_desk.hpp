@@ -11,6 +11,7 @@
 
 #include "lamina/base/settings_schema.hpp"
 #include "lamina/cell/manual_control.hpp"
+#include "lamina/cell/resume_steps.hpp"
 #include "lamina/cell/unit_machine.hpp"
 #include "lamina/journal/cell_journal.hpp"
 
@@ -47,13 +48,16 @@ struct ShownUnit {
   std::optional<ShownJob> job;
   bool resume_waits = false;   ///< whether a job that was cut off waits for Start to resume or discard it
   std::string resume_refusal;  ///< why that job cannot be resumed; empty if it can
+  std::vector<ResumeStep> resume_steps;  ///< what is to be re-established before it is resumed
   bool is_part_on_plate = false;
   PlcAccess plc_access = PlcAccess::Locked;
   std::uint32_t lines = 0;
   std::uint32_t lines_acknowledged = 0;
   std::int32_t layer = -1;
   double fraction = 0.0;
-  double elapsed_s = 0.0;  ///< time since the job began
+  double laid_m = 0.0;       ///< length of the job's beads that are laid
+  double material_m3 = 0.0;  ///< that it has used
+  double elapsed_s = 0.0;    ///< time since the job began
   std::uint32_t parts = 0;
   std::uint32_t defective = 0;
   double running_s = 0.0;  ///< time in the state Execute, in the mode Production
@@ -223,6 +227,14 @@ struct DeskManual {
   ManualStep step = {};  ///< for Step
 };
 
+/// The verdict of the last part of a job.
+struct DeskVerdict {
+  std::int64_t job = 0;
+  std::string verdict;
+  std::string source;
+  std::string reason;
+};
+
 /// Interface through which the page sees the cell and gives it orders. It is called from several threads.
 /// Orders wait for their answer, each kind by itself: those that stop the unit do not wait behind others.
 class CellDesk {
@@ -246,6 +258,7 @@ class CellDesk {
   virtual DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) = 0;
   virtual DeskAnswer acknowledge(int alarm, const std::string& source) = 0;
   virtual DeskAnswer confirmRemoval(const std::string& source) = 0;
+  virtual DeskAnswer judge(const DeskVerdict& verdict) = 0;
   virtual DeskAnswer startup(StartupCommand command, const std::string& step) = 0;
   virtual DeskAnswer setLoop(ShownLoopRequest request) = 0;
   /// Raises an alarm by its number in the table of alarms.

@@ -286,8 +286,10 @@ void ProductionCell::raise(int alarm, double value, const std::string& message, 
 
 void ProductionCell::keepAlarm(const ActiveAlarm& alarm, double utc_s) {
   const double kept = std::isfinite(alarm.value) ? alarm.value : 0.0;  // the journal takes numbers alone
-  journal_.add(AlarmRow{utc_s, alarm.id, kept, letterOf(alarm.category), alarm.message});
-  if (alarmKind(alarm.id).cause == AlarmCause::Event) journal_.endAlarm(alarm.id, utc_s);
+  journal_.together([&] {
+    journal_.add(AlarmRow{utc_s, alarm.id, kept, letterOf(alarm.category), alarm.message});
+    if (alarmKind(alarm.id).cause == AlarmCause::Event) journal_.endAlarm(alarm.id, utc_s);
+  });
 }
 
 void ProductionCell::end(int alarm, CellTime now) {
@@ -303,7 +305,7 @@ void ProductionCell::onReport(const ExecutorReport& report, CellTime now) {
   const bool has_ended = is_running_ && isAtRest(report.phase);
   const ExecutionProgress before = report_.progress;
   report_ = report;
-  if (report_.progress.taken_through < before.taken_through) report_.progress = before;
+  report_.progress = furthest(before, report_.progress);
   has_run_ = has_run_ || report.phase == ExecutorPhase::Running;
   const bool is_due = report.progress.layer != layer_written_ || has_ended ||
                       now.steady_s - progress_written_s_ >= kProgressInterval;
@@ -416,10 +418,13 @@ void ProductionCell::settle(CellTime now) {
       if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
       if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
       if (acts_first) act(change, now);
+      // One wait for the disk.
       write(now, [&] {
-        journal_.add(rowOf(change, now.utc_s));
-        // Before the end of an execution that it leads to: later it would belong to none.
-        for (const ActiveAlarm& alarm : std::exchange(own, {})) keepAlarm(alarm, now.utc_s);
+        journal_.together([&] {
+          journal_.add(rowOf(change, now.utc_s));
+          // Before the end of an execution that it leads to: later it would belong to none.
+          for (const ActiveAlarm& alarm : std::exchange(own, {})) keepAlarm(alarm, now.utc_s);
+        });
       });
       if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
     }
@@ -489,7 +494,10 @@ void ProductionCell::begin(CellTime now) {
     report_.phase = ExecutorPhase::Starting;
     layer_written_ = -1;
     const auto open = journal_.open();
-    executor_.start({program, cut_off ? resumption(*open) : ExecutionStart::Anew, ++order_, nameOf(*open)});
+    // What was laid stays laid, whatever is reported on the way there.
+    report_.progress = open->progress;
+    executor_.start({program, cut_off ? resumption(*open) : ExecutionStart::Anew, ++order_, nameOf(*open),
+                     open->progress});
   });
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "laid_spans.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "motion_sample.hpp"
@@ -113,7 +114,23 @@ class TrajectoryFeeder::State {
         schedule_(motion_->schedule()),
         planned_(motion_, &motion_->plan()),
         speeds_(planned_),
-        fastest_(planned_) {}
+        fastest_(planned_),
+        laid_(motion_->curve()) {}
+
+  /// The waits and leads are those of a start: what lies before the place is not gone.
+  void beginAt(double from_mm) {
+    rest_ = laid_.placeOf(from_mm);
+    timeline_ = Timeline();
+    const ProcessSettings& process = motion_->settings().process;
+    const bool is_on_bead = rest_.along > 0.0;
+    double wait_s = process.settling_s;
+    // At the start of a bead the plan has the other waits itself.
+    if (is_on_bead) wait_s += motion_->averaging() + process.wait_before_s;
+    wait_s = std::max({wait_s, process.laser_on_lead_s, process.wire_on_lead_s});
+    appendRest(PhaseKind::Wait, wait_s);
+    fastest_->appendFrom(timeline_, rest_, sharedSpeeds(), is_on_bead ? RestThere::Over : RestThere::Due);
+    reschedule();
+  }
 
   TrajectoryFeederState state() const {
     const bool is_over = state_ == TrajectoryFeederState::Running && !isHeld() && sent_ >= lastStep();
@@ -121,6 +138,12 @@ class TrajectoryFeeder::State {
   }
   double restTime() const { return timeline_.end() + motion_->averaging(); }
   std::vector<ProcessEvent> events() const { return schedule_.events(); }
+
+  LaidAmount laidAt(double time_s) const {
+    const MotionPlace place = timeline_.placeAt(time_s - 0.5 * motion_->averaging());
+    // A lift after an abort is on a curve of its own.
+    return laid_.at(place.curve == &motion_->curve() ? place : rest_);
+  }
 
   JointState at(double time_s) const {
     JointState state = motionSample(timeline_, motion_->averaging(), time_s);
@@ -379,12 +402,13 @@ class TrajectoryFeeder::State {
   ProcessSchedule schedule_;
   TrajectoryFeederState state_ = TrajectoryFeederState::Running;
   std::optional<std::size_t> held_layer_;  ///< in front of which it stops, or is paused
-  MotionPlace rest_;                       ///< where it is paused, held or aborted
+  MotionPlace rest_;                       ///< where it is paused, held or aborted, or begins
   std::shared_ptr<const SpeedPlan> planned_;
   std::shared_ptr<const SpeedPlan> speeds_;   ///< gone on at, or at a share of
   std::shared_ptr<const SpeedPlan> fastest_;  ///< than which nothing that is under way is faster
   double speed_share_ = 1.0;                  ///< of the planned speeds
   double fastest_share_ = 1.0;
+  LaidSpans laid_;
   RampedShare flow_;   ///< of the planned material
   RampedShare power_;  ///< of the planned power
   long sent_ = -1;     ///< step of the last point handed over
@@ -396,12 +420,14 @@ std::string speedRefusal(double share, const TrajectoryFeederSettings& settings)
   return refusal + (is_too_fast ? "; feeder.feed_most allows more, up to 3" : "");
 }
 
-TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
+TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings,
+                                   double from_mm) {
   TrajectoryFeederSettings checked = settings;
   SettingsSchema schema;
   describe(schema, checked);
   schema.validate();
   state_ = std::make_unique<State>(path.motion(), settings);
+  if (from_mm > 0.0) state_->beginAt(from_mm);
 }
 TrajectoryFeeder::~TrajectoryFeeder() = default;
 TrajectoryFeeder::TrajectoryFeeder(TrajectoryFeeder&&) noexcept = default;
@@ -432,6 +458,7 @@ void TrajectoryFeeder::abort(double now_s, const ToolLift& lift, const Kinematic
 TrajectoryFeederState TrajectoryFeeder::state() const { return state_->state(); }
 double TrajectoryFeeder::restTime() const { return state_->restTime(); }
 JointState TrajectoryFeeder::at(double time_s) const { return state_->at(time_s); }
+LaidAmount TrajectoryFeeder::laidAt(double time_s) const { return state_->laidAt(time_s); }
 std::vector<ProcessEvent> TrajectoryFeeder::events() const { return state_->events(); }
 
 }  // namespace lamina

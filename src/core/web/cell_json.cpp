@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
@@ -19,6 +20,16 @@ json commandNames(const std::vector<UnitCommand>& commands) {
   return names;
 }
 
+json resumeStepsJson(const std::vector<ResumeStep>& steps) {
+  constexpr std::array<const char*, 3> kStates = {"waits", "done", "person"};
+  json list = json::array();
+  for (const ResumeStep& step : steps)
+    list.push_back({{"name", step.name},
+                    {"state", kStates.at(static_cast<std::size_t>(step.state))},
+                    {"text", step.text}});
+  return list;
+}
+
 json unitJson(const ShownUnit& unit) {
   json value = {{"state", toString(unit.state)},
                 {"state_number", static_cast<int>(unit.state)},
@@ -29,6 +40,7 @@ json unitJson(const ShownUnit& unit) {
                 {"accepted_now", commandNames(unit.accepted_now)},
                 {"resume_waits", unit.resume_waits},
                 {"resume_refusal", unit.resume_refusal},
+                {"resume_steps", resumeStepsJson(unit.resume_steps)},
                 {"is_part_on_plate", unit.is_part_on_plate},
                 {"takes_plc", unit.plc_access == PlcAccess::Allowed}};
   if (unit.stop_reason != 0)
@@ -37,10 +49,9 @@ json unitJson(const ShownUnit& unit) {
 }
 
 json progressJson(const ShownUnit& unit, const std::optional<LeftEstimate>& left) {
-  json value = {{"lines", unit.lines},
-                {"lines_acknowledged", unit.lines_acknowledged},
-                {"layer", unit.layer},
-                {"fraction", unit.fraction}};
+  json value = {{"lines", unit.lines},   {"lines_acknowledged", unit.lines_acknowledged},
+                {"layer", unit.layer},   {"fraction", unit.fraction},
+                {"laid_m", unit.laid_m}, {"material_m3", unit.material_m3}};
   if (left)
     value["left"] = {{"seconds", std::round(left->seconds)},
                      {"least_s", std::round(left->least_s)},

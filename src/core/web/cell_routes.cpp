@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/web/mesh_upload.hpp"
 #include "web/site_routes.hpp"
 
@@ -180,6 +181,22 @@ int cutOffOf(const json& body) {
   throw InvalidInput("cut_off is '" + word + "'; expected resume or discard");
 }
 
+/// What somebody has looked at before a resume, for the audit.
+std::string confirmedIn(const json& body) {
+  constexpr std::size_t kMost = 16;
+  const auto confirmed = body.find("confirmed");
+  if (confirmed == body.end() || confirmed->is_null()) return "";
+  std::vector<std::string> names;
+  const bool is_list = confirmed->is_array() && confirmed->size() <= kMost;
+  if (is_list)
+    for (const json& name : *confirmed)
+      if (name.is_string() && name.get_ref<const std::string&>().size() <= kMost)
+        names.push_back(name.get<std::string>());
+  if (!is_list || names.size() != confirmed->size())
+    throw InvalidInput("confirmed is no list of at most 16 names of steps, of 16 letters each");
+  return names.empty() ? "" : "; confirmed: " + listed(names);
+}
+
 WebResponse giveCommand(SiteCall& call) {
   const json body = bodyObject(call);
   DeskCommand command;
@@ -194,7 +211,8 @@ WebResponse giveCommand(SiteCall& call) {
       throw InvalidInput("if_sequence is not a whole number from 0 to 4294967295");
     command.expected_sequence = sequence->get<std::uint32_t>();
   }
-  return noted(orderAnswer(call, call.parts.desk.command(command)), toString(command.command));
+  const std::string note = toString(command.command) + confirmedIn(body);
+  return noted(orderAnswer(call, call.parts.desk.command(command)), note);
 }
 
 WebResponse setMode(SiteCall& call) {

@@ -145,12 +145,25 @@ WebResponse printAgain(SiteCall& call) {
   return response;
 }
 
+/// What a person says of the last part of a job.
+WebResponse judge(SiteCall& call) {
+  const json body = bodyObject(call);
+  const DeskVerdict verdict{jobNumber(call.value(0)), textOf(body, "verdict"), call.source(),
+                            textOf(body, "reason")};
+  if (verdict.verdict != "good" && verdict.verdict != "scrap" && verdict.verdict != "rework")
+    throw InvalidInput("verdict is '" + verdict.verdict + "'; expected good, scrap or rework");
+  WebResponse response = orderAnswer(call, call.parts.desk.judge(verdict));
+  response.note = "job " + call.value(0) + " is " + verdict.verdict;
+  return response;
+}
+
 }  // namespace
 
 std::vector<SiteRoute> partRoutes() {
   return {
       {{HttpMethod::Get, "/api/v1/records", WebRight::SeeAll, RouteBody::None}, getRecords},
       {{HttpMethod::Post, "/api/v1/jobs/{id}/again", WebRight::Operate, RouteBody::Small}, printAgain},
+      {{HttpMethod::Post, "/api/v1/jobs/{id}/verdict", WebRight::Operate, RouteBody::Small}, judge},
       {{HttpMethod::Get, "/api/v1/jobs/{id}/layers", WebRight::SeeAll, RouteBody::None}, getJobLayers},
       {{HttpMethod::Get, "/api/v1/jobs/{id}/record", WebRight::SeeAll, RouteBody::None}, getRecord},
   };

@@ -34,6 +34,7 @@ class ActionExecutor : public MachineExecutor {
         job_(language),
         client_(node, action, false),
         state_(node.subscribe(names::kMachineState, 100, &ActionExecutor::onState, this)),
+        printed_(node.subscribe(names::kPrintProgress, 100, &ActionExecutor::onPrinted, this)),
         signs_(node.subscribe(action + "/status", 10, &ActionExecutor::onSign, this)),
         last_sign_s_(clock_.now()),
         services_(node, language.node) {}
@@ -80,6 +81,8 @@ class ActionExecutor : public MachineExecutor {
 
   void onSign(const actionlib_msgs::GoalStatusArrayConstPtr& /*signs*/) { last_sign_s_ = clock_.now(); }
 
+  void onPrinted(const lamina_msgs::PrintProgressConstPtr& printed) { job_.hear(*printed); }
+
   void onState(const lamina_msgs::MachineStateConstPtr& state) {
     last_sign_s_ = clock_.now();
     const bool was_ordered = job_.isOrdered();
@@ -104,6 +107,7 @@ class ActionExecutor : public MachineExecutor {
   FollowedJob job_;
   actionlib::SimpleActionClient<Action> client_;
   ros::Subscriber state_;
+  ros::Subscriber printed_;
   ros::Subscriber signs_;
   double last_sign_s_;
   ExecutorServices services_;

@@ -15,6 +15,7 @@
 #include "lamina/base/disk_space.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/journal/part_judgement.hpp"
 #include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
@@ -34,6 +35,7 @@ constexpr char kPlc[] = "plc";
 constexpr char kQueue[] = "queue";
 constexpr char kThisCell[] = "cell_controller";  // as a source of alarms
 constexpr double kFeedInterval = 1.0;            // [s] between two tries of a speed that was refused
+constexpr double kResumeLook = 2.0;              // [s] between two looks at where a job is resumed
 constexpr int kEmergencyStopPressed = 1207;
 constexpr int kStartAtTheMachine = 1312;
 constexpr int kExecutorLost = 2201;
@@ -130,7 +132,8 @@ CellController::CellController(ros::NodeHandle node, const CellControllerSetting
                node.advertiseService(names::kChangeQueue, &CellController::onChange, this),
                node.advertiseService(names::kAcknowledgeAlarm, &CellController::onAcknowledge, this),
                advertiseRemoval(node, [this](RemovalEvent& event) { return onRemoval(event); }),
-               node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this)};
+               node.advertiseService(names::kSetRemoteAccess, &CellController::onRemoteAccess, this),
+               node.advertiseService(names::kJudgePart, &CellController::onJudge, this)};
   intake_ = std::make_unique<JobIntake>(node, artefacts_, settings_);
   manual_ = std::make_unique<ManualDesk>(node, journal_, [this] { return unitByHand(); });
   alarm_reports_ = node.subscribe(names::kAlarmReports, 100, &CellController::onAlarmReport, this);
@@ -316,6 +319,21 @@ bool CellController::onRemoval(RemovalEvent& event) {
   return true;
 }
 
+bool CellController::onJudge(lamina_msgs::JudgePart::Request& request,
+                             lamina_msgs::JudgePart::Response& response) {
+  try {
+    const JudgedPart judged = judgePart(
+        journal_, artefacts_, {request.job, request.verdict, request.source, request.reason, now().utc_s});
+    response.serial = judged.serial;
+    response.before = judged.before;
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"judge a part for", request.source, ""}, failure));
+    response.status = toMessage(failure);
+  }
+  return true;
+}
+
 bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& request,
                                     lamina_msgs::SetRemoteAccess::Response& response) {
   try {
@@ -389,6 +407,8 @@ void CellController::followTime() {
   if (intake_->addTo(journal_, at.utc_s)) is_queue_published_ = false;
   followQueue(at);
   followExecution();
+  followLateScan(at);
+  followResume(at);
   followTimeLeft();
   followSpeed(at);
   careForJournal(at);
@@ -492,6 +512,43 @@ void CellController::followExecution() {
   if (const auto open = journal_.open()) execution_began_s_ = open->started_s;
 }
 
+/// A scan of the last layer may come after the program's end, when the record is written.
+void CellController::followLateScan(CellTime now) {
+  const auto execution = layers_.takeLate();
+  if (!execution) return;
+  try {
+    renewRecord(journal_, artefacts_, *execution, now.utc_s);
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM("what was measured after the end is not in the record: " << error.what());
+  }
+}
+
+/// Nobody waits for the answer; it holds until the next one.
+void CellController::followResume(CellTime now) {
+  if (!cell_->resumeWaits() || is_executor_lost_ || now.steady_s - resume_looked_s_ < kResumeLook) return;
+  resume_looked_s_ = now.steady_s;
+  const auto open = journal_.open();
+  if (!open) return;
+  for (const Artefact& artefact : journal_.job(open->job).artefacts)
+    if (artefact.kind == "program") executor_->lookAtResume(artefacts_.pathOf(artefact), open->progress);
+}
+
+void CellController::addResume(lamina_msgs::PackmlStatus& status) const {
+  const auto open = cell_->resumeWaits() ? journal_.open() : std::nullopt;
+  if (!open) return;
+  ResumeConditions found;
+  found.is_executor_there = !is_executor_lost_;
+  found.executor = executor_->name();
+  for (const UnmetGuard& guard : cell_->againstResuming()) found.refusals.push_back(guard.sentence);
+  found.unready = surroundings().start.unready;
+  const ResumeOutlook outlook = executor_->resumeOutlook();
+  found.is_by_place = outlook.is_by_place;
+  found.is_place_proven = outlook.is_place_proven;
+  found.place = outlook.is_by_place ? outlook.text : lineText(open->progress.taken_through);
+  found.temperatures = temperaturesText(executor_->machine());
+  for (const ResumeStep& step : resumeSteps(found)) status.resume_steps.push_back(toMessage(step));
+}
+
 void CellController::followTimeLeft() {
   if (!followed_) return;
   // Time in which the unit prints: what it waits does not count.
@@ -513,6 +570,7 @@ void CellController::publish() {
   lamina_msgs::PackmlStatus status =
       toMessage(*cell_, unit_settings_.modes, unit_settings_.hold_rule, clock_.now());
   addProgress(status);
+  addResume(status);
   status.header.stamp = stamp;
   published_sequence_ = status.sequence;
   published_s_ = clock_.now();

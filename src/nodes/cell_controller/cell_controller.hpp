@@ -53,6 +53,7 @@ class CellController {
   bool onRemoval(RemovalEvent& event);
   bool onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& request,
                       lamina_msgs::SetRemoteAccess::Response& response);
+  bool onJudge(lamina_msgs::JudgePart::Request& request, lamina_msgs::JudgePart::Response& response);
   void change(const lamina_msgs::ChangeQueue::Request& request);
 
   void onAlarmReport(const lamina_msgs::AlarmReportConstPtr& report);
@@ -61,6 +62,8 @@ class CellController {
   void followQueue(CellTime now);
   void followSpeed(CellTime now);
   void followExecution();
+  void followLateScan(CellTime now);
+  void followResume(CellTime now);
   void followTimeLeft();
   void careForJournal(CellTime now);
   std::vector<UnmetGuard> againstStart(const std::string& source) const;
@@ -77,6 +80,7 @@ class CellController {
   void followTime();
   void watchExecutor(CellTime now);
   void addProgress(lamina_msgs::PackmlStatus& status) const;
+  void addResume(lamina_msgs::PackmlStatus& status) const;
   void publish();
   void publishQueue();
   std::vector<Artefact> correctionsOf(const QueuedJob& job, const ExecutionRow& execution);
@@ -110,6 +114,7 @@ class CellController {
   ros::WallTimer timer_;
   std::uint32_t published_sequence_ = 0;
   double published_s_ = 0.0;
+  double resume_looked_s_ = 0.0;
   bool is_queue_published_ = false;
   AlarmSources raised_by_;  ///< of alarms by other nodes, and those by this one that others may raise too
   bool is_executor_lost_ = false;

@@ -3,7 +3,9 @@
 #include "cell_messages.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -37,6 +39,30 @@ lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm) {
   message.acknowledged_by = alarm.acknowledged_by;
   message.times = static_cast<std::uint32_t>(alarm.times);
   return message;
+}
+
+lamina_msgs::ResumeStep toMessage(const ResumeStep& step) {
+  lamina_msgs::ResumeStep message;
+  message.name = step.name;
+  message.state = static_cast<std::uint8_t>(step.state);
+  message.text = step.text;
+  return message;
+}
+
+std::string lineText(std::uint64_t taken_through) {
+  return "the machine took line " + std::to_string(taken_through) +
+         " for certain; it is asked which one it took last, and the next one is sent: each is run once";
+}
+
+std::string temperaturesText(const lamina_msgs::MachineState& machine) {
+  std::string text;
+  const auto add = [&text](const std::string& what, double value) {
+    if (std::isfinite(value))
+      text += (text.empty() ? "" : ", ") + what + (' ' + numberText(std::round(value))) + " °C";
+  };
+  add("nozzle", machine.nozzle_temperature);
+  add("bed", machine.bed_temperature);
+  return text;
 }
 
 lamina_msgs::CellJob toMessage(const QueuedJob& job) {
@@ -85,6 +111,8 @@ lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vecto
   message.lines_acknowledged = static_cast<std::uint32_t>(report.progress.taken_through);
   message.layer = report.progress.layer;
   message.fraction = fractionOf(report);
+  message.laid_length = 1e-3 * report.progress.path_mm;
+  message.material = 1e-9 * report.progress.deposited_mm3;
   message.parts = static_cast<std::uint32_t>(unit.counters.parts);
   message.defective = static_cast<std::uint32_t>(unit.counters.defective);
   message.running = timeIn(unit.counters, kProduction, UnitState::Execute);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/cell/production_cell.hpp"
+#include "lamina/cell/resume_steps.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -18,6 +19,11 @@ lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vecto
 double fractionOf(const ExecutorReport& report);
 
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm);
+lamina_msgs::ResumeStep toMessage(const ResumeStep& step);
+/// Where a program of lines is gone on with.
+std::string lineText(std::uint64_t taken_through);
+/// That the machine reported last; empty if it reported none.
+std::string temperaturesText(const lamina_msgs::MachineState& machine);
 lamina_msgs::CellJob toMessage(const QueuedJob& job);
 
 }  // namespace lamina

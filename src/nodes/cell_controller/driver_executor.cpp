@@ -6,23 +6,61 @@
 
 #include "driver_language.hpp"
 #include "names.hpp"
+#include "service_call.hpp"
 
 namespace lamina {
+namespace {
+
+const char* nameOf(Placement placement) { return placement == Placement::AsIs ? "as_is" : "centre"; }
+
+}  // namespace
 
 DriverExecutor::DriverExecutor(const ros::NodeHandle& node, Placement placement,
                                std::function<void(const ExecutorReport&)> report)
     : ActionExecutor(node, names::kDriveToolpath, driverLanguage(), std::move(report)),
-      placement_(placement) {}
+      placement_(placement),
+      place_(ros::NodeHandle(node).serviceClient<lamina_msgs::ResumePlace>(names::kResumePlace)) {}
 
 ExecutorTraits DriverExecutor::traits() const {
-  return {"waypoint", "trajectory_driver resumes no job that was cut off; discard it"};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {"waypoint", refusal_};
+}
+
+void DriverExecutor::lookAtResume(const std::string& program, const ExecutionProgress& progress) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (std::exchange(is_asked_, true)) return;
+  }
+  looks_.give([this, program, laid_m = 1e-3 * progress.path_mm] {
+    lamina_msgs::ResumePlace call;
+    call.request.program = program;
+    call.request.placement = nameOf(placement_);
+    call.request.laid_length = laid_m;
+    if (!callService(place_.getService(), call))
+      call.response.status.message = "trajectory_driver does not say where it would resume the job";
+    const std::lock_guard<std::mutex> lock(mutex_);
+    refusal_ = call.response.status.message;
+    outlook_ = {true, call.response.is_found != 0, call.response.text};
+    is_asked_ = false;
+  });
+}
+
+ResumeOutlook DriverExecutor::resumeOutlook() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return outlook_;
 }
 
 lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) const {
   lamina_msgs::DriveToolpathGoal goal;
   goal.program = order.program;
-  goal.placement = placement_ == Placement::AsIs ? "as_is" : "centre";
+  goal.placement = nameOf(placement_);
   goal.execution = order.execution;
+  // Of which nothing was reported as handed over, nothing was laid.
+  goal.resume = order.start != ExecutionStart::Anew && order.progress.sent_through > 0;
+  if (goal.resume) {
+    goal.laid_length = 1e-3 * order.progress.path_mm;
+    goal.laid_volume = 1e-9 * order.progress.deposited_mm3;
+  }
   return goal;
 }
 

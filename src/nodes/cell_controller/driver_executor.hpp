@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <string>
 
 #include "action_executor.hpp"
@@ -11,8 +12,8 @@
 
 namespace lamina {
 
-/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). It resumes none that was
-/// cut off.
+/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). One that was cut off is
+/// resumed on the bead, by where the machine came to rest.
 class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAction> {
  public:
   /// @param placement  of jobs on the bed
@@ -21,6 +22,8 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
                  std::function<void(const ExecutorReport&)> report);
 
   ExecutorTraits traits() const override;
+  void lookAtResume(const std::string& program, const ExecutionProgress& progress) override;
+  ResumeOutlook resumeOutlook() const override;
 
  protected:
   lamina_msgs::DriveToolpathGoal goalOf(const StartOrder& order) const override;
@@ -28,6 +31,13 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
 
  private:
   Placement placement_;
+  ros::ServiceClient place_;
+  mutable std::mutex mutex_;  ///< of what follows
+  ResumeOutlook outlook_{true, false, ""};
+  std::string refusal_;
+  bool is_asked_ = false;  ///< and not answered
+  // Last, so that it ends before what it uses.
+  OrderThread looks_;
 };
 
 }  // namespace lamina

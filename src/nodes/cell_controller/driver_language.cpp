@@ -33,7 +33,7 @@ int alarmOfDrive(const lamina_msgs::Status& status) {
 }  // namespace
 
 ExecutorLanguage driverLanguage() {
-  // Whatever was lost, the job is not resumed (`traits`).
+  // A robot that is told to stop brakes along its path, and stands where it stopped.
   return {"trajectory_driver", alarmOfDrive, [](const lamina_msgs::Status&) { return false; },
           StateMatch::SameJob};
 }

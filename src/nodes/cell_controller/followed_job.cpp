@@ -155,7 +155,15 @@ ExecutorReport FollowedJob::reportOf(const lamina_msgs::MachineState& state) con
   report.progress.layer = state.layer;
   report.alarm = language_.alarm_of(state.status);
   report.failure = state.status.message;
+  addPrinted(report);
   return report;
+}
+
+void FollowedJob::addPrinted(ExecutorReport& report) const {
+  if (report.program.empty() || printed_.job != report.program) return;
+  if (order_ && (printed_.job != program_ || printed_.header.stamp < ordered_)) return;
+  report.progress.path_mm = 1e3 * printed_.laid_length;
+  report.progress.deposited_mm3 = 1e9 * printed_.laid_volume;
 }
 
 }  // namespace lamina

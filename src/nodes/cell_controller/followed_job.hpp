@@ -61,6 +61,8 @@ class FollowedJob {
   /// @return what is to be reported; nothing if it says nothing new of the job
   std::optional<ExecutorReport> hear(const lamina_msgs::MachineState& state);
   std::optional<ExecutorReport> end(std::uint64_t order, const JobEnd& end);
+  /// What is printed of the job; of another, or from before the order, it counts for nothing.
+  void hear(const lamina_msgs::PrintProgress& printed) { printed_ = printed; }
 
   const lamina_msgs::MachineState& machine() const { return machine_; }
   /// What was said last; nothing if nothing was.
@@ -70,10 +72,12 @@ class FollowedJob {
   bool isOfOrder(const lamina_msgs::MachineState& state) const;
   ExecutorReport restarted(ExecutorReport report);
   ExecutorReport reportOf(const lamina_msgs::MachineState& state) const;
+  void addPrinted(ExecutorReport& report) const;
 
   ExecutorLanguage language_;
   lamina_msgs::MachineState machine_;
   bool has_machine_ = false;
+  lamina_msgs::PrintProgress printed_;
   std::optional<std::uint64_t> order_;  ///< under way
   std::string program_;                 ///< of what was ordered last
   ros::Time ordered_;

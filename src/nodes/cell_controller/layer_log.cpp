@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <cmath>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "names.hpp"
@@ -30,6 +31,9 @@ LayerLog::LayerLog(ros::NodeHandle node, CellJournal& journal)
                     node.subscribe(names::kAppliedCorrection, 100, &LayerLog::onApplied, this)}) {}
 
 void LayerLog::follow(std::optional<std::int64_t> execution, const lamina_msgs::MachineState& machine) {
+  ended_ = execution ? std::nullopt : execution_;
+  if (execution) toolpath_id_.clear();
+  is_late_ = false;
   execution_ = execution;
   layer_ = -1;
   if (execution_) keepStartup(machine);
@@ -72,7 +76,7 @@ void LayerLog::onHeight(const lamina_msgs::LayerHeightConstPtr& height) {
   row.rms_mm = height->rms_error * kMillimetres;
   row.worst_mm = height->worst_error * kMillimetres;
   row.coverage = height->coverage;
-  keep(row);
+  keepMeasured(row, height->toolpath_id);
 }
 
 /// Errors of the loop are planned less measured; those of the journal the other way round.
@@ -85,7 +89,7 @@ void LayerLog::onFigures(const lamina_msgs::LoopFiguresConstPtr& figures) {
   row.flatness_mm = figures->flatness * kMillimetres;
   row.coverage = figures->coverage;
   row.gain = figures->gain_mean;
-  keep(row);
+  keepMeasured(row, figures->toolpath_id);
 }
 
 void LayerLog::onApplied(const lamina_msgs::AppliedCorrectionConstPtr& applied) {
@@ -97,6 +101,20 @@ void LayerLog::onApplied(const lamina_msgs::AppliedCorrectionConstPtr& applied) 
 
 void LayerLog::keep(const LayerRow& row) {
   if (execution_) write([&] { log_.setLayer(*execution_, row); });
+}
+
+void LayerLog::keepMeasured(const LayerRow& row, const std::string& toolpath_id) {
+  if (execution_) {
+    toolpath_id_ = toolpath_id;
+    return keep(row);
+  }
+  if (!ended_ || toolpath_id_.empty() || toolpath_id != toolpath_id_) return;
+  write([&] { log_.setLayer(*ended_, row); });
+  is_late_ = true;
+}
+
+std::optional<std::int64_t> LayerLog::takeLate() {
+  return std::exchange(is_late_, false) ? ended_ : std::nullopt;
 }
 
 void LayerLog::write(const std::function<void()>& rows) {

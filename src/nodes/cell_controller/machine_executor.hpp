@@ -16,6 +16,13 @@ struct FeedAnswer {
   std::string refusal;  ///< empty if it was taken
 };
 
+/// Where a job that was cut off would be resumed.
+struct ResumeOutlook {
+  bool is_by_place = false;      ///< it depends on where the machine stands
+  bool is_place_proven = false;  ///< it stands where the job was cut off
+  std::string text;
+};
+
 /// The node that runs a cell's jobs on its machine, as the cell sees it. Nothing waits for that node.
 class MachineExecutor : public Executor {
  public:
@@ -35,6 +42,11 @@ class MachineExecutor : public Executor {
 
   /// Whether it gives signs of life, and would take a job.
   virtual bool isThere() const = 0;
+
+  /// Looks, in a thread of its own, at where a job that was cut off would be resumed.
+  virtual void lookAtResume(const std::string& /*program*/, const ExecutionProgress& /*progress*/) {}
+  /// What that has shown; empty if nothing yet.
+  virtual ResumeOutlook resumeOutlook() const { return {}; }
 
   /// Which order has waited that long for its answer, once; empty if none has. [s]
   virtual std::string takeUnanswered(double patience_s) = 0;

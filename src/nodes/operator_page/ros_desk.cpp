@@ -43,12 +43,16 @@ ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
   if (status.job.id != 0) unit.job = shown(status.job);
   unit.resume_waits = status.resume_waits;
   unit.resume_refusal = status.resume_refusal;
+  for (const lamina_msgs::ResumeStep& step : status.resume_steps)
+    unit.resume_steps.push_back({step.name, static_cast<ResumeStepState>(step.state), step.text});
   unit.is_part_on_plate = status.is_part_on_plate;
   unit.plc_access = status.remote_access != 0 ? PlcAccess::Allowed : PlcAccess::Locked;
   unit.lines = status.lines;
   unit.lines_acknowledged = status.lines_acknowledged;
   unit.layer = status.layer;
   unit.fraction = status.fraction;
+  unit.laid_m = status.laid_length;
+  unit.material_m3 = status.material;
   unit.elapsed_s = status.elapsed;
   unit.parts = status.parts;
   unit.defective = status.defective;
@@ -403,6 +407,15 @@ DeskAnswer RosDesk::acknowledge(int alarm, const std::string& source) {
   call.request.id = static_cast<std::uint16_t>(alarm);
   call.request.source = source;
   return callUnit({"acknowledgement of alarm " + std::to_string(alarm)}, names::kAcknowledgeAlarm, call);
+}
+
+DeskAnswer RosDesk::judge(const DeskVerdict& verdict) {
+  lamina_msgs::JudgePart call;
+  call.request.job = static_cast<std::uint32_t>(verdict.job);
+  call.request.verdict = verdict.verdict;
+  call.request.source = verdict.source;
+  call.request.reason = verdict.reason;
+  return callForStatus({"verdict of job " + std::to_string(verdict.job)}, names::kJudgePart, call);
 }
 
 DeskAnswer RosDesk::confirmRemoval(const std::string& source) {

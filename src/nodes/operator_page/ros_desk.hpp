@@ -40,6 +40,7 @@ class RosDesk final : public CellDesk {
   DeskAnswer moveJob(std::int64_t job, std::int64_t place, const std::string& source) override;
   DeskAnswer acknowledge(int alarm, const std::string& source) override;
   DeskAnswer confirmRemoval(const std::string& source) override;
+  DeskAnswer judge(const DeskVerdict& verdict) override;
   DeskAnswer startup(StartupCommand command, const std::string& step) override;
   DeskAnswer setLoop(ShownLoopRequest request) override;
   void report(int alarm, double value, const std::string& message) override;

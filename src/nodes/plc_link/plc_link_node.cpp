@@ -43,6 +43,7 @@ PlcLinkNode::PlcLinkNode(const ros::NodeHandle& node, const LinkSettings& settin
       refusals_(kRefusalsAMinute, kMinute) {
   subscribers_ = {node_.subscribe(names::kPackmlStatus, 100, &PlcLinkNode::onStatus, this),
                   node_.subscribe(names::kProcessState, 1, &PlcLinkNode::onProcess, this),
+                  node_.subscribe(names::kPrintProgress, 1, &PlcLinkNode::onPrinted, this),
                   node_.subscribe(names::kHeaterState, 100, &PlcLinkNode::onHeaters, this)};
   view(names::kAlarms, &UnitView::alarms);
   view(names::kJobQueue, &UnitView::queue);
@@ -99,6 +100,12 @@ void PlcLinkNode::onProcess(const lamina_msgs::ProcessStateConstPtr& process) {
   const std::lock_guard<std::mutex> lock(mutex_);
   view_.process = *process;
   view_.process_heard_s = clock_.now();
+}
+
+void PlcLinkNode::onPrinted(const lamina_msgs::PrintProgressConstPtr& printed) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.printed = *printed;
+  view_.printed_heard_s = clock_.now();
 }
 
 void PlcLinkNode::onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters) {

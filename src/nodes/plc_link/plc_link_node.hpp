@@ -35,6 +35,7 @@ class PlcLinkNode {
   void view(const char* topic, Message UnitView::*place);
   void onStatus(const lamina_msgs::PackmlStatusConstPtr& status);
   void onProcess(const lamina_msgs::ProcessStateConstPtr& process);
+  void onPrinted(const lamina_msgs::PrintProgressConstPtr& printed);
   void onHeaters(const lamina_msgs::HeaterStateConstPtr& heaters);
   void onCorrection(const lamina_msgs::CorrectionMapConstPtr& map);
   void onTick();

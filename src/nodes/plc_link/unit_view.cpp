@@ -116,6 +116,7 @@ JobStatus jobOf(const UnitView& view) {
   job.gone_s = seconds(view.unit.elapsed);
   if (view.unit.remaining >= 0.0) job.left_s = seconds(view.unit.remaining);
   job.line = view.unit.lines_acknowledged;
+  job.path_mm = static_cast<float>(view.unit.laid_length * kMillimetres);
   job.name = view.unit.job.name;
   return job;
 }
@@ -138,6 +139,8 @@ ProcessFigures processOf(const UnitView& view, bool is_process_heard, double now
     figures.laser_w = known(view.process.laser_power);
     figures.wire_mm_s = known(view.process.wire_speed * kMillimetres);
   }
+  if (isRecent(view.printed_heard_s, now_s, kLongestProcessSilence))
+    figures.tip_speed_mm_s = known(view.printed.tip_speed * kMillimetres);
   figures.mean_error_mm = known(view.layer.mean_error * kMillimetres);
   figures.rmse_mm = known(view.layer.rms_error * kMillimetres);
   figures.coverage = known(view.layer.coverage);

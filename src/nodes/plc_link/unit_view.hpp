@@ -18,12 +18,14 @@ struct UnitView {
   lamina_msgs::MachineState machine;
   lamina_msgs::HeaterState heaters;
   lamina_msgs::ProcessState process;
+  lamina_msgs::PrintProgress printed;
   lamina_msgs::LoopState loop;
   lamina_msgs::LayerHeight layer;
   lamina_msgs::LoopFigures figures;                ///< of the layer measured last, by the loop
   std::map<std::string, double> mean_corrections;  ///< of maps by their digest
   double unit_heard_s = 0.0;                       ///< when the unit's status came
   double process_heard_s = 0.0;                    ///< and what the process does
+  double printed_heard_s = 0.0;                    ///< and how much of the job is printed
   double heaters_heard_s = 0.0;  ///< and the temperatures, ten times a second as long as a job or a step runs
 };
 

@@ -7,6 +7,7 @@
 
 #include "lamina/job/clear_approach.hpp"
 #include "lamina/job/drivable_toolpath.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
 namespace {
@@ -39,7 +40,8 @@ DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, co
 
 std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const KinematicModel& model,
                                    const DriverSettings& settings, Progress& progress) {
-  const JointValues start = job.timed.trajectory->at(0.0).position;
+  const JointValues start =
+      TrajectoryFeeder(*job.timed.trajectory, settings.feeder, job.from_mm).at(0.0).position;
   if (isThere(here, start, model)) return std::nullopt;
   if (!settings.is_clearance_checked)
     return approach(here, start, model, settings.approach, settings.run.timing);

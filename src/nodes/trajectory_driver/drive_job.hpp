@@ -20,6 +20,7 @@ namespace lamina {
 struct DriveJob {
   MachineToolpath placed;
   TimedRun timed;
+  double from_mm = 0.0;  ///< of its beads, that are left out with what comes before
 };
 
 /// @param found  called with what stands in the way, even if that is nothing; not called if no check is made

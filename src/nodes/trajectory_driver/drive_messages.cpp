@@ -42,6 +42,15 @@ lamina_msgs::MachineState toMachineState(const DriveStatus& status, const std::s
   return message;
 }
 
+lamina_msgs::PrintProgress toPrintProgress(const DriveStatus& status, const std::string& job) {
+  lamina_msgs::PrintProgress message;
+  message.job = job;
+  message.laid_length = toMetres(status.laid_mm);
+  message.laid_volume = 1e-9 * status.used_mm3;
+  message.tip_speed = toMetres(status.tip_speed_mm_s);
+  return message;
+}
+
 lamina_msgs::TrackingError toTrackingError(const DriveStatus& status, const KinematicModel& model) {
   lamina_msgs::TrackingError message;
   for (Eigen::Index j = 0; j < status.joint_error.size(); ++j) {

@@ -14,6 +14,7 @@ lamina_msgs::DriveToolpathResult toResult(const DriveStatus& status);
 /// Without header.
 lamina_msgs::MachineState toMachineState(const DriveStatus& status, const std::string& job);
 /// Without header.
+lamina_msgs::PrintProgress toPrintProgress(const DriveStatus& status, const std::string& job);
 lamina_msgs::TrackingError toTrackingError(const DriveStatus& status, const KinematicModel& model);
 /// ERROR if the job failed, WARN if the controller was starved.
 void fillDiagnostics(const DriveStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics);

@@ -35,12 +35,14 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
       settings_(settings),
       feeding_(feedingOf(motion, settings)),
       links_(links),
-      feeder_(motion.path, feeding_),
+      feeder_(motion.path, feeding_, motion.from_mm),
       tracking_(model),
       reports_(settings.tracking, settings.controller_wait_s, ros::Time()) {
   links_.controller.begin();
   status_.feeding.least_queued_s = std::numeric_limits<double>::infinity();
   status_.state = motion.running;
+  status_.laid_mm = isDry() ? 0.0 : feeder_.laidAt(0.0).length_mm;
+  laid_mm3_ = feeder_.laidAt(0.0).volume_mm3;
   if (motion_.correction) wait_.emplace(feeder_, *motion_.correction, settings_.loop.wait_s);
 }
 
@@ -52,7 +54,7 @@ bool DriveSession::step(const ros::Time& present) {
   watch(now);
   awaitMap(now);
   feed(now);
-  follow(jobTime(now));
+  follow(now);
   return advance(now);
 }
 
@@ -170,8 +172,19 @@ bool DriveSession::isAtRest(const ros::Time& now) const {
   return run_at_ && (now - *run_at_).toSec() >= kSettling;
 }
 
-void DriveSession::follow(double now_s) {
+void DriveSession::measureLaid(double time_s) {
+  if (isDry()) return;
+  const LaidAmount laid = feeder_.laidAt(time_s);
+  status_.laid_mm = std::max(status_.laid_mm, laid.length_mm);
+  status_.used_mm3 += std::max(0.0, laid.volume_mm3 - laid_mm3_) * status_.flow_share;
+  laid_mm3_ = std::max(laid_mm3_, laid.volume_mm3);
+}
+
+void DriveSession::follow(const ros::Time& now) {
   if (given_up_at_) return;
+  // By what the controller has reported where its clock counts: what was laid is not to be told too early.
+  measureLaid(std::min(jobTime(now), controllerTime(now)));
+  const double now_s = jobTime(now);
   const double rest_s = feeder_.restTime();
   status_.time_s = std::clamp(now_s, 0.0, rest_s);
   const TrajectoryFeederState state = feeder_.state();
@@ -179,6 +192,7 @@ void DriveSession::follow(double now_s) {
     status_.duration_s = rest_s;
   const JointState wanted = feeder_.at(status_.time_s);
   status_.heading_for = wanted.heading_for;
+  status_.tip_speed_mm_s = wanted.tip_speed_mm_s;
   status_.handed_over_for = fed_s_ > 0.0 ? feeder_.at(fed_s_).heading_for : wanted.heading_for;
   status_.tip_mm = model_.bedFromNozzle(wanted.position).translation();
   const std::lock_guard<std::mutex> lock(report_mutex_);
@@ -220,6 +234,7 @@ bool DriveSession::advance(const ros::Time& now) {
     default:  // Starting or Completing
       if (!is_planned_end) return true;
       if (!is_at_rest || !links_.controller.isDone()) return awaitEnd(now);
+      measureLaid(feeder_.restTime());
       status_.state = PackmlState::Complete;
       return false;
   }

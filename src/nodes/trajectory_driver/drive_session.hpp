@@ -38,6 +38,9 @@ struct DriveStatus {
   double reached_share = 1.0;                        ///< of them that the limits allow on average
   double flow_share = 1.0;                           ///< of the planned material
   double power_share = 1.0;                          ///< of the planned power
+  double laid_mm = 0.0;   ///< of the beads, from the start of the toolpath; not before what is reported
+  double used_mm3 = 0.0;  ///< of material, in this motion
+  double tip_speed_mm_s = 0.0;
   Feeding feeding;
   JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
   double tip_error_mm = 0.0;
@@ -53,6 +56,7 @@ struct DriveMotion {
   PackmlState running = PackmlState::Execute;             ///< Starting on the way to the start
   std::shared_ptr<ChunkCorrection> correction = nullptr;  ///< null if it is driven as planned
   ProcessUse process = ProcessUse::AsPlanned;
+  double from_mm = 0.0;  ///< of its beads, that are left out with what comes before
 };
 
 /// What a drive is connected with.
@@ -130,7 +134,8 @@ class DriveSession {
   void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
   void feed(const ros::Time& now);
-  void follow(double now_s);
+  void follow(const ros::Time& now);
+  void measureLaid(double time_s);
   bool advance(const ros::Time& now);
   bool awaitEnd(const ros::Time& now);
   void awaitMap(const ros::Time& now);
@@ -151,6 +156,7 @@ class DriveSession {
   std::optional<ros::Time> run_at_;  ///< since what is planned is over
   double fed_s_ = 0.0;               ///< end of what was sent
   bool was_starved_ = false;
+  double laid_mm3_ = 0.0;        ///< of the beads as planned
   std::optional<MapWait> wait_;  ///< none if it is driven as planned
   bool is_left_ = false;         ///< for a plan
   std::optional<ros::Time> given_up_at_;

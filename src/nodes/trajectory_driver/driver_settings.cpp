@@ -28,6 +28,7 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
                            {{"arrival", SilenceBy::Arrival}, {"stamps", SilenceBy::Stamps}},
                            "Clock of that silence: the arrival of reports, or their stamps.");
   describe(schema, settings.approach);
+  describe(schema, settings.resume);
   schema.flag("process_io.required", settings.process_io.is_required,
               "Whether a job needs process_io: it begins once that is ready, and is held when it is not.");
   schema.number("process_io.silence_s", settings.process_io.silence_s, Bounds::above(0.0, 60.0),

@@ -10,6 +10,7 @@
 #include "lamina/control/loop_settings.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/machine_choice.hpp"
+#include "lamina/toolpath/resume_place.hpp"
 #include "lamina/trajectory/approach.hpp"
 #include "lamina/trajectory/jog_settings.hpp"
 #include "lamina/trajectory/trajectory_feeder_settings.hpp"
@@ -45,6 +46,7 @@ struct DriverSettings {
   ClearanceSettings clearance;
   TrackingLimits tracking;
   ApproachSettings approach;
+  ToolpathResumeSettings resume;
   ProcessIoDemand process_io;
   DrySettings dry;
   JogSettings jog;
@@ -59,8 +61,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, executor.owner, owner.grace_s, guard.socket, joints.*, motion.*, trajectory.*,
-/// process.*, feeder.*, clearance.*, tracking.*, approach.*, process_io.*, dry.*, jog.*, corrections.*,
-/// sensor.calibration, some of loop.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and
+/// process.*, feeder.*, clearance.*, tracking.*, approach.*, resume.*, process_io.*, dry.*, jog.*,
+/// corrections.*, sensor.calibration, some of loop.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and
 /// controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 

@@ -154,6 +154,7 @@ void JogDriver::beginIfAtRest(const ros::Time& now) {
   // Not while time passes for a motion.
   if (settings_.is_clearance_checked && !bodies_) bodies_ = checkedBodies(model_);
   links_.controller.begin();
+  links_.departs(here);
   jog_.emplace(model_, settings_.jog, settings_.run.timing.trajectory.joint_ramp_s, here);
   begin_ = ros::Time::now();
 }

@@ -32,6 +32,8 @@ struct JogLinks {
   const PresentJoints& joints;
   /// How the part stands over the bed, of the toolpath published last.
   std::function<Eigen::Matrix3d()> bed_from_part;
+  /// Called with where the machine rests, before it is moved from there.
+  std::function<void(const JointValues&)> departs;
 };
 
 /// Moves the machine by hand while no job runs: topics jog_twist, jog_joints and jog_state

@@ -55,6 +55,15 @@ DriveStatus joined(const DriveStatus& before, DriveStatus after) {
   return after;
 }
 
+/// A job that was cut off when nothing was left to lay.
+DriveStatus allLaid(const ResumePlace& place) {
+  DriveStatus status;
+  status.state = PackmlState::Complete;
+  status.laid_mm = place.total_mm;
+  status.heading_for = place.heading_for;
+  return status;
+}
+
 /// Nothing but a complete motion has succeeded.
 DriveStatus judged(DriveStatus status) {
   if (status.failure.code == ErrorCode::Ok && status.state != PackmlState::Complete)
@@ -71,6 +80,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       model_(kinematicModelOf(settings.machine)),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
+      progress_(node.advertise<lamina_msgs::PrintProgress>(names::kPrintProgress, 100)),
       part_markers_(node),
       findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
       pause_(advertiseForOwner(node, names::kPause, owner_,
@@ -84,13 +94,15 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       process_io_(node, settings_.process_io),
       joints_(node, *model_),
       owner_watch_(node, settings.owner_grace_s),
+      resume_desk_(node, settings_, *model_, joints_),
       overrides_(node, settings_.feeder, owner_, [this] { return session(); }),
       controller_(node, *model_,
                   [this](const ControllerReport& report) {
                     if (const auto job = session()) job->hear(report, ros::Time::now());
                   }),
       jog_(node, settings_, *model_, owner_,
-           JogLinks{controller_, process_, joints_, [this] { return bedFromPart(); }}),
+           JogLinks{controller_, process_, joints_, [this] { return bedFromPart(); },
+                    [this](const JointValues& here) { resume_desk_.depart(here); }}),
       action_(
           node, ActionGate<lamina_msgs::DriveToolpathAction>::inner(names::kDriveToolpath, owner_),
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
@@ -154,6 +166,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
              settings_.guard_socket.c_str());
   job_ = goal->program.empty() ? goal->toolpath_id : goal->program;
   file_.reset();
+  used_mm3_ = 1e9 * goal->laid_volume;
   is_ordered_by_cell_ = !goal->execution.empty();
   is_hold_due_ = false;
   owner_watch_.expect();
@@ -193,9 +206,12 @@ DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) 
     MachineToolpath placed = toolpath(goal);
     placed.toolpath = drivenAs(dry_, std::move(placed.toolpath), settings_.dry);
     controller_.requirePresent(settings_.controller_wait_s);
+    const std::optional<ResumePlace> place = resume_desk_.placeOf(goal, placed);
+    if (place) used_mm3_ += place->unreported_mm3;
+    if (place && place->isAllLaid()) return allLaid(*place);
     awaitProcessIo();
     GoalProgress progress([this] { return isCancelled(); });
-    Driven driven = drive(prepared(placed, progress), MapOfFirstLayer::AsItIs);
+    Driven driven = drive(prepared(placed, place ? place->begin_mm : 0.0, progress), MapOfFirstLayer::AsItIs);
     so_far = driven.status;
     while (driven.next) {
       const PreparedJob plan = *std::move(driven.next);
@@ -211,8 +227,10 @@ DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) 
 }
 
 /// By the time that it is prepared the machine is to stand where it is to go to the start from.
-TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& placed, Progress& progress) {
+TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& placed, double from_mm,
+                                                         Progress& progress) {
   PreparedJob prepared{jobOf(placed, progress), std::nullopt};
+  prepared.job.from_mm = from_mm;
   const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
   prepared.way = wayToStart(here, prepared.job, *model_, settings_, progress);
   return prepared;
@@ -221,13 +239,14 @@ TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& 
 TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, MapOfFirstLayer first_map) {
   const DriveJob& job = prepared.job;
   const std::string& id = job.placed.id;
+  resume_desk_.forget();
   if (!isDry()) part_markers_.begin(job.timed.run.toolpath());
   // However it ends, for the toolpath goes with the job.
   const std::shared_ptr<void> part_end(nullptr, [this](void*) { part_markers_.end(); });
   if (prepared.way) {
     const TimedPath& way = *prepared.way->motion;
     ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
-    DriveStatus status = run({way, id, PackmlState::Starting, nullptr, dry_.process()}).status;
+    DriveStatus status = run({way, id, PackmlState::Starting, nullptr, dry_.process(), 0.0}).status;
     if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
   if (file_ && job.placed.id == file_->toolpathId()) file_->follow(&job.timed.run.divided);
@@ -239,8 +258,9 @@ TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, Ma
   const TimedPath& path = *job.timed.trajectory;
   ROS_INFO("driving %s%s: %.1f s on %s", id.c_str(), isDry() ? " dry" : "", path.duration(),
            model_->name().c_str());
-  Driven driven = run({path, id, PackmlState::Execute, correction, dry_.process()});
+  Driven driven = run({path, id, PackmlState::Execute, correction, dry_.process(), job.from_mm});
   show(driven.status);
+  used_mm3_ += driven.status.used_mm3;
   if (driven.status.state == PackmlState::Complete) part_markers_.complete();
   return driven;
 }
@@ -287,7 +307,7 @@ std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(Drive
   if (work && !work->result->isDone()) return std::nullopt;
   if (!work || work->id != plan->id) {
     work = PlanInWork{plan->id, std::make_unique<WorkBeside<PreparedJob>>([this, plan](Progress& progress) {
-                        return prepared(fromMessage(*plan), progress);
+                        return prepared(fromMessage(*plan), 0.0, progress);
                       })};
     return std::nullopt;
   }
@@ -500,6 +520,10 @@ void TrajectoryDriver::show(const DriveStatus& status) {
   lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
+  lamina_msgs::PrintProgress printed = toPrintProgress(status, job_);
+  printed.header.stamp = tracking.header.stamp;
+  printed.laid_volume += 1e-9 * used_mm3_;
+  progress_.publish(printed);
   part_markers_.growTo(status.heading_for);
 }
 

@@ -18,6 +18,7 @@
 #include "drive_session.hpp"
 #include "driver_settings.hpp"
 #include "file/driven_file.hpp"
+#include "file/resume_desk.hpp"
 #include "job_overrides.hpp"
 #include "jog_driver.hpp"
 #include "lamina/streaming/guard/pulse_link.hpp"
@@ -55,7 +56,7 @@ class TrajectoryDriver {
   /// What is driven, and the way there.
   struct PreparedJob {
     DriveJob job;
-    std::optional<Approach> way;  ///< none if the machine stands at the start
+    std::optional<Approach> way;  ///< none if the machine stands there
   };
   /// How a motion ended.
   struct Driven {
@@ -78,7 +79,7 @@ class TrajectoryDriver {
   bool isCancelled() const;
   DriveStatus drive(const lamina_msgs::DriveToolpathGoal& goal);
   bool isDry() const { return dry_.process() == ProcessUse::Off; }
-  PreparedJob prepared(const MachineToolpath& placed, Progress& progress);
+  PreparedJob prepared(const MachineToolpath& placed, double from_mm, Progress& progress);
   Driven drive(const PreparedJob& prepared, MapOfFirstLayer first_map);
   DriveJob jobOf(const MachineToolpath& placed, Progress& progress);
   MachineToolpath toolpath(const lamina_msgs::DriveToolpathGoal& goal);
@@ -115,6 +116,7 @@ class TrajectoryDriver {
   std::unique_ptr<const KinematicModel> model_;
   ros::Publisher state_;
   ros::Publisher tracking_;
+  ros::Publisher progress_;
   PartMarkers part_markers_;
   ros::Publisher findings_;
   ros::Publisher applied_;
@@ -132,6 +134,7 @@ class TrajectoryDriver {
   ProcessIoWatch process_io_;
   PresentJoints joints_;
   OwnerWatch owner_watch_;
+  ResumeDesk resume_desk_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the controller
   std::shared_ptr<DriveSession> session_;
@@ -144,6 +147,7 @@ class TrajectoryDriver {
   // Of the goal, and of the thread that drives.
   std::string job_;
   std::optional<DrivenFile> file_;  ///< none if a published toolpath is driven
+  double used_mm3_ = 0.0;           ///< of material, before the motion under way
   bool is_ordered_by_cell_ = false;
   bool is_hold_due_ = false;  ///< the cell is gone, and the job cannot be held yet
   DryOrder dry_;              ///< of the goal under way

@@ -60,6 +60,18 @@ TEST(UnitView, ShowsAUnitThatPrints) {
   EXPECT_FALSE(hasFlag(status, StatusFlag::PartOnPlate));
 }
 
+TEST(UnitView, ShowsWhatIsPrintedAndHowFast) {
+  UnitView view = printing();
+  view.unit.laid_length = 1.5;
+  view.printed.tip_speed = 0.03;
+  view.printed_heard_s = 50.0;
+  EXPECT_FLOAT_EQ(plcStatus(view, 50.5).job.path_mm, 1500.0F);
+  EXPECT_FLOAT_EQ(plcStatus(view, 50.5).process.tip_speed_mm_s, 30.0F);
+  EXPECT_EQ(plcStatus(view, 51.1).process.tip_speed_mm_s, 0.0F) << "the job has ended";
+  view.printed.tip_speed = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(plcStatus(view, 50.5).process.tip_speed_mm_s, 0.0F);
+}
+
 TEST(UnitView, ShowsWhatStopsAndWaits) {
   UnitView view = printing();
   view.unit.state = 10;

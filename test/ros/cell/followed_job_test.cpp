@@ -126,6 +126,30 @@ TEST(FollowedJob, TakesNoStateOfTheJobBeforeForItsOwn) {
   EXPECT_FALSE(job.isAwaited());
 }
 
+TEST(FollowedJob, HasWhatIsPrintedOfItAndOfNoOther) {
+  const auto printed = [](double stamp_s, const std::string& job) {
+    lamina_msgs::PrintProgress message;
+    message.header.stamp = ros::Time(stamp_s);
+    message.job = job;
+    message.laid_length = 1.25;
+    message.laid_volume = 3e-6;
+    return message;
+  };
+  FollowedJob job = ordered();
+  for (const auto& other : {printed(999.9, kFile), printed(1000.1, "/cell/artefacts/other")}) {
+    job.hear(other);
+    const auto report = job.hear(stateAt(State::EXECUTE, 1000.2, 2));
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->progress.path_mm, 0.0);
+    EXPECT_EQ(report->progress.deposited_mm3, 0.0);
+  }
+  job.hear(printed(1000.3, kFile));
+  const auto report = job.hear(stateAt(State::EXECUTE, 1000.4, 2));
+  ASSERT_TRUE(report);
+  EXPECT_DOUBLE_EQ(report->progress.path_mm, 1250.0);
+  EXPECT_DOUBLE_EQ(report->progress.deposited_mm3, 3000.0);
+}
+
 TEST(FollowedJob, HasReachedNothingIfItEndsBeforeItHasBegun) {
   FollowedJob job = ordered();
   job.hear(stateAt(State::COMPLETE, 999.9, 9));

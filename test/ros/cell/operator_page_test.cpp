@@ -80,16 +80,20 @@ class CellWithPage {
  public:
   CellWithPage(const std::string& name, double speed_up, const std::vector<std::string>& page_parameters = {})
       : space_("/" + name), port_(test::inRosHome("page_" + name)), machine_(speed_up, port_) {
-    streamer_ = std::make_unique<test::NodeProcess>(
-        LAMINA_STREAMER_NODE,
-        std::vector<std::string>{"__ns:=" + space_, "_port:=" + port_,
-                                 "_stream/journal:=" + folder.path() + "/progress", "_stream/settle_s:=0.01",
-                                 "_stream/probe_after_s:=0.3"});
+    startStreamer();
     controller = std::make_unique<test::NodeProcess>(
         LAMINA_CELL_NODE,
         std::vector<std::string>{"__ns:=" + space_, "_journal/folder:=" + folder.path() + "/cell",
                                  "_executor/patience_s:=20"});
     startPage(page_parameters);
+  }
+
+  void startStreamer() {
+    streamer = std::make_unique<test::NodeProcess>(
+        LAMINA_STREAMER_NODE,
+        std::vector<std::string>{"__ns:=" + space_, "_port:=" + port_,
+                                 "_stream/journal:=" + folder.path() + "/progress", "_stream/settle_s:=0.01",
+                                 "_stream/probe_after_s:=0.3"});
   }
 
   void startPage(const std::vector<std::string>& parameters) {
@@ -168,9 +172,9 @@ class CellWithPage {
   std::string csrf_;
   PagePort address_{space_};
   test::StreamedMachine machine_;
-  std::unique_ptr<test::NodeProcess> streamer_;
 
  public:
+  std::unique_ptr<test::NodeProcess> streamer;
   std::unique_ptr<test::NodeProcess> controller;
   std::unique_ptr<test::NodeProcess> page;
 };
@@ -403,13 +407,42 @@ TEST(OperatorPage, IsServedByHttpsWithACertificateOfItsOwnAndNotBeyondThisHostWi
       0);
 }
 
+bool hasBrowser() {
+  return std::system(
+             "test -x /usr/bin/chromium && test -x /usr/bin/chromedriver && /usr/bin/python3 -c 'import "
+             "selenium'") == 0;
+}
+constexpr char kNoBrowser[] =
+    "Chromium, its driver or python3-selenium is not installed (tools/install-dependencies --checks)";
+
+/// A job whose streamer was killed, by the steps that the page shows; test/ros/cell/operator_page_resume.py
+/// says what is done.
+TEST(OperatorPage, WalksThroughAResume) {
+  if (!hasBrowser()) GTEST_SKIP() << kNoBrowser;
+  CellWithPage cell("resume", 20.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  ASSERT_EQ(cell.upload(wallProgram(400), "wall.gcode").first, 201);
+  ASSERT_EQ(cell.ask("POST", "/api/v1/jobs/1/release").first, 200);
+  ASSERT_EQ(cell.command("Reset").first, 200);
+  ASSERT_TRUE(cell.reaches("Idle"));
+  ASSERT_TRUE(cell.starts());
+  ASSERT_TRUE(waitUntil([&] { return cell.state()["progress"]["lines_acknowledged"] > 100; }));
+  EXPECT_EQ(cell.streamer->end(SIGKILL), -1);
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  cell.startStreamer();
+  EXPECT_EQ(std::system(("/usr/bin/python3 -B " LAMINA_SOURCE_DIR
+                         "/test/ros/cell/operator_page_resume.py http://localhost:" +
+                         std::to_string(cell.web_port) + "/ " + cell.folder.path())
+                            .c_str()),
+            0);
+  const std::string audit = cell.ask("GET", "/api/v1/audit").second.dump();
+  EXPECT_NE(audit.find("Start; confirmed: part, ready, way"), std::string::npos) << audit;
+}
+
 /// By keyboard alone, in a browser that nobody sees; test/ros/cell/operator_page_browser.py says what is
 /// done.
 TEST(OperatorPage, IsOperatedByKeyboardAlone) {
-  if (std::system("test -x /usr/bin/chromium && test -x /usr/bin/chromedriver && "
-                  "/usr/bin/python3 -c 'import selenium'") != 0)
-    GTEST_SKIP()
-        << "Chromium, its driver or python3-selenium is not installed (tools/install-dependencies --checks)";
+  if (!hasBrowser()) GTEST_SKIP() << kNoBrowser;
   CellWithPage cell("browser", 20.0);
   ASSERT_TRUE(cell.reaches("Stopped"));
   const std::string program = cell.folder.path() + "/wall.gcode";

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cmath>
 #include <csignal>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -141,37 +145,140 @@ TEST(RobotCell, RunsAJobThatIsHeldAndAbortsTheNext) {
   EXPECT_FALSE(cell.status.resume_waits);
 }
 
-TEST(RobotCell, KeepsHowFarTheJobOfAKilledDriverWas) {
+/// How often each half millimetre of the two beads was laid, by what the controller reported.
+class LaidCells {
+ public:
+  explicit LaidCells(const test::DriveCell& machine) {
+    std::optional<Point3> before;
+    for (const test::DriveCell::Report& report : machine.reports) {
+      if (report.process.flow == 0.0) {
+        last_ = {-1, -1};
+        before.reset();
+        continue;
+      }
+      const Point3 tip = machine.tip(report);
+      if (before) length_mm_ += (tip - *before).norm();
+      before = tip;
+      const int bead = tip.y() > 20.0 ? 1 : 0;
+      const Cell cell{bead, static_cast<int>(std::floor((tip.x() + kHalf) / kCell))};
+      if (cell == last_) continue;
+      ++times_[cell];
+      last_ = cell;
+    }
+  }
+  /// Those of the inside of a bead that were laid that often.
+  std::vector<double> laid(int bead, int times) const {
+    std::vector<double> places;
+    for (int i = 2; i < static_cast<int>(2.0 * kHalf / kCell) - 2; ++i) {
+      const auto found = times_.find({bead, i});
+      if ((found == times_.end() ? 0 : found->second) == times) places.push_back(i * kCell - kHalf);
+    }
+    return places;
+  }
+
+  double length() const { return length_mm_; }
+
+  static constexpr double kCell = 0.5;  // mm
+
+ private:
+  using Cell = std::pair<int, int>;
+  std::map<Cell, int> times_;
+  double length_mm_ = 0.0;
+  Cell last_{-1, -1};
+};
+
+/// A job was cut off on its first bead, whose driver is there again: it is resumed where the machine came to
+/// rest, and each bead is laid once, but for the overlap of 2 mm that is stated.
+void resumesOnTheBead(RobotCell& cell) {
+  cell.acknowledgeAll();
+  ASSERT_TRUE(waitUntil([&] { return cell.command(Command::CLEAR) == kAccepted; })) << cell.reason;
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  cell.bringToIdle();
+  const auto place = [&cell]() -> std::string {
+    for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
+      if (step.name == "place" && step.state == lamina_msgs::ResumeStep::DONE) return step.text;
+    return "";
+  };
+  ASSERT_TRUE(waitUntil([&] { return !place().empty(); })) << cell.status.resume_refusal;
+  EXPECT_TRUE(isIn(place(), "the nozzle came to rest on it after")) << place();
+  EXPECT_TRUE(isIn(place(), "layer 0, path 0, waypoint 1")) << place();
+  EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
+  const double rested = cell.machine.tip(cell.machine.reports.back()).x();
+  ASSERT_LT(std::abs(rested), kHalf - 4.0);
+  ASSERT_TRUE(cell.starts(Command::RESUME));
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged == kRows; }));
+  const LaidCells laid(cell.machine);
+  EXPECT_EQ(laid.laid(0, 0), std::vector<double>()) << "left out; it rested at " << rested;
+  EXPECT_EQ(laid.laid(1, 0), std::vector<double>());
+  for (const double x : laid.laid(0, 2)) {
+    EXPECT_GT(x, rested - 2.0 - 2.0 * LaidCells::kCell);
+    EXPECT_LT(x, rested + LaidCells::kCell);
+  }
+  EXPECT_LE(laid.laid(0, 2).size(), 7U);
+  EXPECT_NEAR(laid.length(), 4.0 * kHalf + 2.0, 1.0);
+  EXPECT_EQ(laid.laid(1, 2), std::vector<double>());
+  // Two beads of 40 mm; what was laid twice counts as material, and as no length.
+  EXPECT_NEAR(cell.status.laid_length, 0.080, 1e-6);
+  const double per_metre = 1e-6 * crossSection({1.0, test::kHeight});
+  EXPECT_NEAR(cell.status.material, 0.082 * per_metre, 0.001 * per_metre);
+}
+
+TEST(RobotCell, ResumesTheJobOfAKilledDriverOnItsBead) {
   RobotCell cell("robot_killed", 0.0, 10.0);
   cell.enqueueReleased();
   cell.bringToIdle();
   cell.bringToBead();
-  ASSERT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged > 0; }));
+  ASSERT_TRUE(
+      waitUntil([&] { return cell.status.lines_acknowledged > 0 && cell.status.laid_length > 0.002; }));
   EXPECT_EQ(cell.driver->end(SIGKILL), -1);
   EXPECT_TRUE(waitUntil([&] { return cell.hasAlarm(2201); }));
   ASSERT_TRUE(cell.reaches("Aborted"));
   EXPECT_EQ(cell.status.stop_reason, 2201);
   EXPECT_TRUE(isIn(cell.status.stop_message, "trajectory_driver gives no sign of life"))
       << cell.status.stop_message;
-  const unsigned reached = cell.status.lines_acknowledged;
   EXPECT_TRUE(cell.status.resume_waits);
-  EXPECT_TRUE(isIn(cell.status.resume_refusal, "trajectory_driver resumes no job"))
-      << cell.status.resume_refusal;
   const std::string kept = cell.folder.path() + "/kept";
   ASSERT_EQ(runs("/usr/bin/python3 -c 'import sqlite3, sys; print(sqlite3.connect(sys.argv[1])"
-                 ".execute(\"SELECT taken_through FROM progress\").fetchall())' " +
+                 ".execute(\"SELECT taken_through, path_mm > 2 FROM progress\").fetchall())' " +
                  cell.journalFile() + " > " + kept),
             0);
-  EXPECT_EQ(readFile(kept), "[(" + std::to_string(reached) + ",)]\n");
+  EXPECT_EQ(readFile(kept), "[(" + std::to_string(cell.status.lines_acknowledged) + ", 1)]\n");
+  cell.startDriver();
+  EXPECT_TRUE(waitUntil([&] { return !cell.hasAlarm(2201) || cell.alarms.alarms[0].is_gone; }));
+  resumesOnTheBead(cell);
+}
 
+TEST(RobotCell, ResumesAJobWhoseUnitAndDriverWereKilled) {
+  RobotCell cell("robot_group", 0.0, 10.0);
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  ASSERT_TRUE(waitUntil([&] { return cell.status.laid_length > 0.002; }));
+  EXPECT_EQ(cell.controller->end(SIGKILL), -1);
+  EXPECT_EQ(cell.driver->end(SIGKILL), -1);
+  cell.startDriver();
+  cell.startController();
+  EXPECT_EQ(cell.status.state_name, "Aborted");
+  EXPECT_TRUE(cell.status.resume_waits);
+  resumesOnTheBead(cell);
+}
+
+TEST(RobotCell, DiscardsAJobThatWasCutOff) {
+  RobotCell cell("robot_discarded", 0.0, 10.0);
+  cell.enqueueReleased();
+  cell.bringToIdle();
+  cell.bringToBead();
+  ASSERT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged > 0; }));
+  EXPECT_EQ(cell.driver->end(SIGKILL), -1);
+  ASSERT_TRUE(cell.reaches("Aborted"));
+  const unsigned reached = cell.status.lines_acknowledged;
   cell.startDriver();
   EXPECT_TRUE(waitUntil([&] { return !cell.hasAlarm(2201) || cell.alarms.alarms[0].is_gone; }));
   cell.acknowledgeAll();
   ASSERT_TRUE(waitUntil([&] { return cell.command(Command::CLEAR) == kAccepted; })) << cell.reason;
   ASSERT_TRUE(cell.reaches("Stopped"));
   cell.bringToIdle();
-  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted);
-  EXPECT_TRUE(isIn(cell.reason, "trajectory_driver resumes no job")) << cell.reason;
   EXPECT_NE(cell.command(Command::START), kAccepted);
   EXPECT_TRUE(isIn(cell.reason, "was cut off after waypoint " + std::to_string(reached))) << cell.reason;
   EXPECT_TRUE(cell.confirmRemoval("test"));

@@ -59,6 +59,14 @@ std::string off(const SettingTexts& set) {
   return tracking.deviation(settingsWith<DriverSettings>(set).tracking.tip_mm).value_or("near enough");
 }
 
+/// Where a job is resumed whose nozzle stands a little beside its toolpath.
+std::string resumedAt(const SettingTexts& set) {
+  Eigen::Isometry3d nozzle = Eigen::Isometry3d::Identity();
+  nozzle.translation() = Point3(10.3, 7, 0.2);
+  nozzle.linear() = nozzleDown().toRotationMatrix();
+  return toText(resumePlace(LaidBeads(twoLayers()), 12.0, nozzle, settingsWith<DriverSettings>(set).resume));
+}
+
 /// When a driver gives up a controller of which it hears nothing.
 std::string givenUp(const SettingTexts& set) {
   const ros::Time begin(1000.0);
@@ -120,6 +128,7 @@ std::vector<SettingProbe> driveProbes() {
            pointed,
            {{"dry.pointer_mm=0,5,40"}}},
           {"a motion that is aborted", "", aborted, {{"lift_mm=20"}, {"lift_mm_s=5"}}},
+          {"a job that is resumed", "", resumedAt, {{"resume.overlap_mm=3"}, {"resume.tolerance_mm=0.2"}}},
           {"a tip off its path", "", off, {{"tracking.tip_mm=8"}}},
           {"a controller that is silent",
            "",

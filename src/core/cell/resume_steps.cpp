@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/resume_steps.hpp"
+
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+ResumeStep linkStep(const ResumeConditions& found) {
+  if (!found.is_executor_there)
+    return {"link", ResumeStepState::Waits, found.executor + " gives no sign of life; expected it to run"};
+  return {"link", ResumeStepState::Done, found.executor + " is there"};
+}
+
+/// Nothing proves a place that nobody answers for.
+ResumeStep placeStep(const ResumeConditions& found) {
+  if (!found.refusals.empty()) return {"place", ResumeStepState::Waits, listed(found.refusals, "; ")};
+  if (found.place.empty()) return {"place", ResumeStepState::Waits, "where the job goes on is not known yet"};
+  const bool is_proven = !found.is_by_place || found.is_place_proven;
+  return {"place", is_proven ? ResumeStepState::Done : ResumeStepState::Person, found.place};
+}
+
+ResumeStep readyStep(const ResumeConditions& found) {
+  if (!found.unready.empty()) return {"ready", ResumeStepState::Waits, listed(found.unready, "; ")};
+  const std::string heat = found.temperatures.empty() ? "" : "; last reported: " + found.temperatures;
+  return {"ready", ResumeStepState::Person, "heat, material, gas and cooling are ready for the bead" + heat};
+}
+
+}  // namespace
+
+std::vector<ResumeStep> resumeSteps(const ResumeConditions& found) {
+  const std::string way =
+      found.is_by_place
+          ? "the way to where it begins is free: the tool is lifted, goes there and comes down along its "
+            "axis, "
+            "and nobody looks for the part itself on that way"
+          : "nothing stands between the nozzle and its next lines, and what has oozed from it is taken away";
+  return {linkStep(found),
+          placeStep(found),
+          {"part", ResumeStepState::Person, "the part stands where it stood, firm on the plate"},
+          readyStep(found),
+          {"way", ResumeStepState::Person, way}};
+}
+
+}  // namespace lamina

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/toolpath/resume_place.hpp"
+
+#include <algorithm>
+
+#include "lamina/base/number_text.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kBehind = 2.0;  // mm by which the machine may trail what is reported
+constexpr double kWhole = 1e-3;  // mm that is no bead
+
+}  // namespace
+
+void describe(SettingsSchema& schema, ToolpathResumeSettings& settings) {
+  schema.number("resume.overlap_mm", settings.overlap_mm, {0.0, 100.0},
+                "How far before the place where it was cut off a job is resumed, along the bead.");
+  schema.number("resume.tolerance_mm", settings.tolerance_mm, Bounds::above(0.0, 10.0),
+                "Distance of the nozzle from the toolpath within which it stands where the job was cut off.");
+}
+
+bool ResumePlace::isAllLaid() const { return begin_mm >= total_mm - kWhole; }
+
+ResumePlace resumePlace(const LaidBeads& beads, double reported_mm,
+                        const std::optional<Eigen::Isometry3d>& nozzle,
+                        const ToolpathResumeSettings& settings) {
+  ResumePlace place;
+  place.total_mm = beads.total();
+  place.laid_mm = std::min(reported_mm, place.total_mm);
+  if (nozzle) {
+    const auto found = beads.find(*nozzle, std::max(0.0, reported_mm - kBehind), settings.tolerance_mm);
+    place.is_found = found.has_value();
+    if (found) place.laid_mm = *found;
+    place.unreported_mm3 = std::max(0.0, beads.volume(place.laid_mm) - beads.volume(reported_mm));
+  }
+  place.begin_mm = std::max(beads.beadStart(place.laid_mm), place.laid_mm - settings.overlap_mm);
+  place.heading_for = beads.headingFor(place.begin_mm);
+  return place;
+}
+
+std::string toText(const ResumePlace& place) {
+  const auto mm = [](double value) { return numberText(value) + " mm"; };
+  if (place.isAllLaid()) return "all " + mm(place.total_mm) + " of its beads are laid";
+  const std::string known =
+      place.is_found ? "the nozzle came to rest on it after " + mm(place.laid_mm) + " of its beads, of " +
+                           mm(place.total_mm) + "; whether the last bead was laid up to there is not known"
+                     : "after " + mm(place.laid_mm) + " of its beads, of " + mm(place.total_mm) +
+                           ", it was reported last; the nozzle does not stand on it any more, so how much "
+                           "was laid after that is not known, and is laid a second time";
+  return known + "; it begins after " + mm(place.begin_mm) + ", on the way to " + toText(place.heading_for);
+}
+
+}  // namespace lamina

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "file/resume_desk.hpp"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "file/driven_file.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kAge = 1.0;     // s of what is known of the joints
+constexpr double kAtRest = 0.2;  // s for which they have to be still
+constexpr double kLook = 0.02;   // s between looks
+
+}  // namespace
+
+ResumeDesk::ResumeDesk(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
+                       const PresentJoints& joints)
+    : settings_(settings),
+      model_(model),
+      joints_(joints),
+      server_(node.advertiseService(names::kResumePlace, &ResumeDesk::onAsked, this)) {}
+
+void ResumeDesk::depart(const JointValues& here) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!rested_) rested_ = here;
+}
+
+void ResumeDesk::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rested_.reset();
+}
+
+JointValues ResumeDesk::rest(double wait_s) const {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (rested_) return *rested_;
+  }
+  const SteadyClock clock;
+  const double until_s = clock.now() + wait_s;
+  for (;;) {
+    JointValues here = joints_.fresh(kAge, std::max(0.0, until_s - clock.now()));
+    if (joints_.areStillFor(kAtRest)) return here;
+    if (clock.now() >= until_s)
+      throw DeviceError("the machine still moves; expected it at rest, where the job that was cut off ended");
+    ros::WallDuration(kLook).sleep();
+  }
+}
+
+/// Where layers were planned anew, the file does not say what was laid.
+void ResumeDesk::requireResumable() const {
+  if (settings_.is_corrected && settings_.follows_plans)
+    throw InvalidInput(
+        "with corrections.follow_plans layers may have been planned anew, which the file does not have; "
+        "discard the job");
+}
+
+ResumePlace ResumeDesk::placeBy(const LaidBeads& beads, const Eigen::Isometry3d& bed_from_part, double laid_m,
+                                double wait_s) const {
+  const Eigen::Isometry3d nozzle = bed_from_part.inverse() * model_.bedFromNozzle(rest(wait_s));
+  return resumePlace(beads, toMillimetres(laid_m), nozzle, settings_.resume);
+}
+
+std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathGoal& goal,
+                                               const MachineToolpath& placed) const {
+  const std::vector<std::uint32_t>& from = goal.from_waypoint;
+  if (!goal.resume && from.empty()) return std::nullopt;
+  const LaidBeads beads(placed.toolpath);
+  if (!goal.resume) {
+    if (from.size() != 3)
+      throw InvalidInput("from_waypoint has " + std::to_string(from.size()) +
+                         " numbers; expected layer, path and waypoint");
+    const double begin_mm = beads.before({from[0], from[1], from[2]});
+    return ResumePlace{begin_mm, begin_mm, false, beads.headingFor(begin_mm), beads.total(), 0.0};
+  }
+  if (goal.program.empty() || !goal.dry.empty() || !from.empty())
+    throw InvalidInput("resume is asked for; expected a program, no dry run and no from_waypoint with it");
+  requireResumable();
+  ResumePlace place = placeBy(beads, placed.bed_from_part, goal.laid_length, settings_.controller_wait_s);
+  ROS_WARN_STREAM("the job is resumed: " << toText(place));
+  return place;
+}
+
+bool ResumeDesk::onAsked(lamina_msgs::ResumePlace::Request& request,
+                         lamina_msgs::ResumePlace::Response& response) {
+  try {
+    requireResumable();
+    const std::string name = request.placement + ' ' + request.program;
+    std::optional<ReadFile> file;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (read_ && read_->name == name) file = read_;
+    }
+    if (!file) {
+      lamina_msgs::DriveToolpathGoal goal;
+      goal.program = request.program;
+      goal.placement = request.placement;
+      const MachineToolpath placed = toolpathOfFile(goal, settings_.machine);
+      file = ReadFile{name, placed.bed_from_part, LaidBeads(placed.toolpath)};
+      const std::lock_guard<std::mutex> lock(mutex_);
+      read_ = file;
+    }
+    const ResumePlace place = placeBy(file->beads, file->bed_from_part, request.laid_length, 0.0);
+    response.is_found = place.is_found;
+    response.begin_length = toMetres(place.begin_mm);
+    response.layer = static_cast<std::uint32_t>(place.heading_for.layer);
+    response.path = static_cast<std::uint32_t>(place.heading_for.path);
+    response.waypoint = static_cast<std::uint32_t>(place.heading_for.waypoint);
+    response.text = toText(place);
+  } catch (...) {
+    response.status = toMessage(currentFailure());
+  }
+  return true;
+}
+
+}  // namespace lamina

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/cell/resume_steps.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lamina {
+namespace {
+
+ResumeConditions robotAtRest() {
+  ResumeConditions found;
+  found.is_executor_there = true;
+  found.executor = "trajectory_driver";
+  found.is_by_place = true;
+  found.is_place_proven = true;
+  found.place = "it begins after 15 mm";
+  return found;
+}
+
+std::string statesOf(const ResumeConditions& found) {
+  std::string text;
+  for (const ResumeStep& step : resumeSteps(found))
+    text += step.name + ' ' + std::to_string(static_cast<int>(step.state)) + ' ';
+  return text;
+}
+
+TEST(ResumeSteps, AskAPersonForWhatNoMachineProves) {
+  EXPECT_EQ(statesOf(robotAtRest()), "link 1 place 1 part 2 ready 2 way 2 ");
+  EXPECT_EQ(resumeSteps(robotAtRest())[1].text, "it begins after 15 mm");
+}
+
+TEST(ResumeSteps, WaitForWhatIsNotThere) {
+  ResumeConditions found = robotAtRest();
+  found.is_executor_there = false;
+  found.unready = {"bed is cold", "home is open"};
+  EXPECT_EQ(statesOf(found), "link 0 place 1 part 2 ready 0 way 2 ");
+  EXPECT_EQ(resumeSteps(found)[3].text, "bed is cold; home is open");
+  found.refusals = {"the part was taken away"};
+  EXPECT_EQ(statesOf(found), "link 0 place 0 part 2 ready 0 way 2 ");
+  EXPECT_EQ(resumeSteps(found)[1].text, "the part was taken away");
+  found.refusals.clear();
+  found.place.clear();
+  EXPECT_EQ(resumeSteps(found)[1].state, ResumeStepState::Waits) << "nobody has said yet";
+}
+
+TEST(ResumeSteps, HaveAPersonDecideOnAPlaceThatIsNotProven) {
+  ResumeConditions found = robotAtRest();
+  found.is_place_proven = false;
+  EXPECT_EQ(statesOf(found), "link 1 place 2 part 2 ready 2 way 2 ");
+  found.is_by_place = false;
+  EXPECT_EQ(statesOf(found), "link 1 place 1 part 2 ready 2 way 2 ") << "a counter of lines proves it";
+}
+
+TEST(ResumeSteps, ShowTheTemperatures) {
+  ResumeConditions found = robotAtRest();
+  found.temperatures = "nozzle 41 °C";
+  EXPECT_NE(resumeSteps(found)[3].text.find("; last reported: nozzle 41 °C"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/toolpath/resume_place.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+// A square of 4 x 10 mm, a travel of 0.2 mm, and a line of 10 mm.
+ResumePlace placeOf(double reported_mm, const std::optional<Point3>& tip, double overlap_mm = 2.0) {
+  std::optional<Eigen::Isometry3d> nozzle;
+  if (tip) {
+    nozzle = Eigen::Isometry3d::Identity();
+    nozzle->translation() = *tip;
+    nozzle->linear() = nozzleDown().toRotationMatrix();
+  }
+  return resumePlace(LaidBeads(test::twoLayers()), reported_mm, nozzle, {overlap_mm, 0.15});
+}
+
+TEST(ResumePlace, BeginsBeforeWhereTheNozzleCameToRest) {
+  const ResumePlace place = placeOf(12.0, Point3(10, 7, 0.2));
+  EXPECT_TRUE(place.is_found);
+  EXPECT_DOUBLE_EQ(place.laid_mm, 17.0);
+  EXPECT_DOUBLE_EQ(place.begin_mm, 15.0);
+  EXPECT_EQ(place.heading_for, (WaypointIndex{0, 0, 2}));
+  EXPECT_NEAR(place.unreported_mm3, 5.0 * crossSection({0.4, 0.2}), 1e-9);
+  EXPECT_DOUBLE_EQ(placeOf(12.0, Point3(10, 7, 0.2), 0.0).begin_mm, 17.0);
+  // A machine trails what is reported.
+  EXPECT_DOUBLE_EQ(placeOf(17.5, Point3(10, 7, 0.2)).begin_mm, 15.0);
+}
+
+TEST(ResumePlace, BeginsBeforeWhatWasReportedIfTheNozzleWasMovedAway) {
+  for (const std::optional<Point3>& tip : {std::optional<Point3>(), std::optional(Point3(10, 7, 30))}) {
+    const ResumePlace place = placeOf(12.0, tip);
+    EXPECT_FALSE(place.is_found);
+    EXPECT_DOUBLE_EQ(place.begin_mm, 10.0);
+  }
+  EXPECT_NE(toText(placeOf(12.0, std::nullopt)).find("is laid a second time"), std::string::npos);
+}
+
+TEST(ResumePlace, NeverGoesBackBeyondItsBead) {
+  EXPECT_DOUBLE_EQ(placeOf(41.0, std::nullopt).begin_mm, 40.0);
+  EXPECT_DOUBLE_EQ(placeOf(0.5, std::nullopt).begin_mm, 0.0);
+  // On the travel the square is laid, to its end.
+  EXPECT_DOUBLE_EQ(placeOf(39.0, Point3(0, 0, 0.3)).begin_mm, 40.0);
+}
+
+TEST(ResumePlace, KnowsAJobThatIsDone) {
+  EXPECT_TRUE(placeOf(50.0, std::nullopt).isAllLaid());
+  EXPECT_TRUE(placeOf(45.0, Point3(10, 0, 0.4)).isAllLaid());
+  EXPECT_FALSE(placeOf(49.0, std::nullopt).isAllLaid());
+  EXPECT_EQ(toText(placeOf(50.0, std::nullopt)), "all 50 mm of its beads are laid");
+}
+
+TEST(ResumePlace, StatesWhatIsNotKnown) {
+  EXPECT_EQ(
+      toText(placeOf(12.0, Point3(10, 7, 0.2))),
+      "the nozzle came to rest on it after 17 mm of its beads, of 50 mm; whether the last bead was laid "
+      "up to there is not known; it begins after 15 mm, on the way to layer 0, path 0, waypoint 2");
+}
+
+}  // namespace
+}  // namespace lamina
