@@ -14,10 +14,10 @@ namespace lamina {
 /// Name of the variable that switches the process off for a dry run.
 constexpr std::string_view kRapidDryFlag = "lamina_dry";
 
-/// Begins a note of a level: its process value, its output, and how much that is for each unit.
+/// Beginning of the note on a level: its process value, its output, and the output's value for each unit.
 constexpr std::string_view kRapidLevel = "level";
 
-/// Name of the trigger that sets a level on the way: "lamina_level_1" of the first.
+/// Name of the trigger that sets a level during a move: "lamina_level_1" for the first level.
 std::string rapidLevelTrigger(std::size_t level);
 
 /// Refuses a name that cannot be declared in RAPID.
