@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// How faces of the part count that no bead comes near.
+/// How faces of the part count if no bead comes near.
 enum class UncoveredFaces {
   Count,  ///< as underfilled in full
   Skip,   ///< not at all, as in [Guacheta2021, listing A.16]
@@ -19,27 +19,28 @@ enum class UncoveredFaces {
 /// The line along which a bead is assumed to lie.
 enum class BeadLine {
   Middle,  ///< half the bead's height behind the tip along the tool axis, as for the paths of [Guacheta2021]
-  Tip,     ///< that of the nozzle tip, as [Guacheta2021] does for G-code
+  Tip,     ///< the path of the nozzle tip, as [Guacheta2021] does for G-code
 };
 
 /// Width that a bead is assumed to cover on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
 enum class SurfaceWidth {
   Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as in [Guacheta2021, listing A.16]
   Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as in [Guacheta2021, section 4.2.1]
-  /// That of the bead: its height seen across the tool axis, the plan width that it fills seen along it.
+  /// That of the bead: its height on faces along the tool axis, its plan width on faces across the tool axis.
   Bead,
 };
 
 /// Which pieces of the path cover a face.
 enum class FacePieces {
-  Near,    ///< all that reach over it, also from beside it; faces in one plane count as if they were one
-  Within,  ///< what lies above or below it, cut off with round ends, as in [Guacheta2021]
+  Near,    ///< all that reach over the face, also from beside it; faces in one plane count as one
+  Within,  ///< pieces above or below the face, cut off with round ends, as in [Guacheta2021]
 };
 
 /// Which overlaps count as overfill.
 enum class Overlaps {
-  Apart,  ///< those of pieces that do not follow each other; consecutive ones are divided by their bisector
-  All,    ///< also those of the round ends of consecutive pieces, as in [Guacheta2021]
+  Apart,  ///< overlaps of pieces that do not follow each other; consecutive pieces are divided by their
+          ///< bisector
+  All,    ///< also overlaps of the round ends of consecutive pieces, as in [Guacheta2021]
 };
 
 /// Cross-section from which the volume is estimated.
@@ -53,7 +54,7 @@ enum class VolumeSection {
 enum class StrandEnds {
   Whole,       ///< nothing, as in [Guacheta2021, eq. 4.6]
   Generated,   ///< D, as [Guacheta2021, listing A.19] does for its own paths
-  Commercial,  ///< D / 2, as it does for those of other slicers
+  Commercial,  ///< D / 2, as the listing does for paths of other slicers
 };
 
 /// Settings of the surface metrics.
@@ -80,7 +81,7 @@ struct VolumeErrorSettings {
 
 /// Settings of the simulated platform.
 struct PlatformRunSettings {
-  /// Position on the bed of the middle of what is deposited, in x and y [mm]; empty to leave it where it is.
+  /// Position on the bed of the middle of the deposit, in x and y [mm]; empty to leave the deposit in place.
   std::vector<double> middle_mm = {0.0, 0.0};
   TrackingSettings tracking;
 };

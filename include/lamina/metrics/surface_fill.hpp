@@ -31,8 +31,8 @@ struct SurfaceFill {
 ///
 /// The part of a bead's line within the prism below a face is projected onto the face and widened to a band
 /// with round ends; a drop becomes a disc. Underfill is the area of the face that no band covers, overfill
-/// that which two or more cover. Areas are measured along parallel lines that are oblique to the edges of the
-/// face.
+/// the area that two or more bands cover. Areas are measured along parallel lines that are oblique to the
+/// edges of the face.
 ///
 /// Time is n log n in the number of segments and faces, and linear in the length of the bands on the surface.
 ///

@@ -28,12 +28,12 @@ struct ToolpathMetrics {
   double travel_mm = 0.0;     ///< length of the other motions
   double under_fill_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< surface that no bead covers
   double over_fill_mm2 = std::numeric_limits<double>::quiet_NaN();   ///< surface that is covered twice
-  double volume_error_mm3 = 0.0;  ///< absolute difference between the volume deposited and that asked for
+  double volume_error_mm3 = 0.0;  ///< absolute difference between the deposited volume and the wanted one
   /// Of the simulated six-legged platform.
   double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();
-  /// Integral of the squared error of its nozzle tip's position.
+  /// Integral of the squared error of the position of the platform's nozzle tip.
   double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();
-  /// Integral of the squared error of its orientation.
+  /// Integral of the squared error of the nozzle's orientation.
   double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();
   std::map<std::string, double> added = {};  ///< values of the metrics of plug-ins, by name
 };
@@ -87,8 +87,8 @@ ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
                                 const Eigen::Isometry3d& bed_from_part, const MetricsSettings& settings,
                                 Progress& progress);
 
-/// The settings, changed so that nothing is computed that these metrics do not need.
-/// @throws InvalidConfig if there is no metric of a name
+/// The settings, changed so that only what these metrics need is computed.
+/// @throws InvalidConfig if a name is not that of a metric
 MetricsSettings onlyFor(const std::vector<std::string>& metrics, MetricsSettings settings);
 
 }  // namespace lamina

@@ -11,8 +11,8 @@ namespace lamina {
 /// own volume.
 double estimatedVolume(const Toolpath& toolpath, const VolumeErrorSettings& settings);
 
-/// Absolute difference between that volume and the share of the part's volume that should be filled [mm³]
-/// (eq. 4.7 of [Guacheta2021]).
+/// Absolute difference between the estimated volume and the share of the part's volume that should be filled
+/// [mm³] (eq. 4.7 of [Guacheta2021]).
 /// @param part_mm3  volume of the part
 double volumeError(const Toolpath& toolpath, double part_mm3, const VolumeErrorSettings& settings);
 

@@ -10,8 +10,8 @@
 namespace lamina {
 
 /// The borders of a chart in its parameterization [mm]: the outer one counter-clockwise, those of holes
-/// clockwise, each through every vertex of the border. Each starts at the start of its half-edge of the
-/// lowest number.
+/// clockwise, each through every vertex of the border. Each border starts where its half-edge of the lowest
+/// number does.
 std::vector<Polygon> outlineOf(const LayerChart& chart);
 
 /// The borders of any parameterization of a mesh, with the triangles on their left.

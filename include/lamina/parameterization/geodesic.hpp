@@ -19,7 +19,7 @@ struct GeodesicSource {
 /// around its source, unfolded into the plane of the triangle, so that distances on plane and developable
 /// meshes are exact to rounding as long as the shortest path bends at no border and no vertex. Triangles may
 /// be obtuse, or without area: a vertex that the front reached by a detour is corrected. (Where very obtuse
-/// ones hide each other in a ring, a path may be a per cent too long.) A vertex is corrected at most 250
+/// triangles hide each other in a ring, a path may be a per cent too long.) A vertex is corrected at most 250
 /// times, as corrections would hardly end around slivers whose lengths are mostly rounding errors.
 ///
 /// An object is prepared once for a mesh [mm]. Queries may be made from several threads and take n log n

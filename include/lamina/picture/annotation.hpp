@@ -13,11 +13,12 @@ namespace lamina {
 /// and 22 px more for each further line of the subtitle.
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& subtitle);
 
-/// Draws a bar of a round length (1, 2 or 5 times a power of ten mm), at most 200 px long, labelled with it.
+/// Draws a bar of a round length (1, 2 or 5 times a power of ten mm), at most 200 px long, labelled with the
+/// length.
 /// @param at  its left end [px]
 void drawScaleBar(Canvas& canvas, const Point2& at);
 
-/// The space that this bar and its label take, with a margin, for a ground of one colour [px].
+/// The space that the scale bar and its label take, with a margin, for a background of one colour [px].
 Box2 scaleBarBox(const Canvas& canvas, const Point2& at);
 
 struct LegendEntry {

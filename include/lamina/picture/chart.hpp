@@ -33,7 +33,7 @@ struct Chart {
 std::string chartPng(const Chart& chart, int width_px, int height_px);
 
 /// Round values (1, 2 or 5 times a power of ten apart) within an interval, at most `most` + 1. If fewer than
-/// two lie in it, the ends of the interval instead.
+/// two lie within, the ends of the interval instead.
 /// @param low, high  finite, low less than high
 std::vector<double> roundTicks(double low, double high, int most);
 

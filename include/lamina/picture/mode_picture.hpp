@@ -31,7 +31,7 @@ struct ModePicture {
 /// Draws each panel's part as a PNG in two views: the upper one from the front right and above, the lower one
 /// from the front left and below. The surface shows the layers as bands, as the nearest outer wall has them,
 /// dark where it is printed first and light where it is printed last. Unsupported triangles are red, and
-/// shine through where the part hides them. The part of a mode that refuses it is grey.
+/// shine through where the part hides them. A part that the mode refuses is grey.
 /// @throws InvalidInput if the part has no triangle, or there are no panels, or more than 12; FileError
 void drawModes(const ModePicture& picture, const std::string& png_path);
 

@@ -19,7 +19,8 @@ struct PixelImage {
 std::string qoiFile(const PixelImage& image);
 
 /// The bytes of a JPEG file [ITUT81], baseline, of quality 90; colours are sampled at half the size.
-/// @throws FileError if its library cannot be loaded; InvalidInput for pictures that the format cannot hold
+/// @throws FileError if the library for JPEG cannot be loaded; InvalidInput for pictures that the format
+///   cannot hold
 std::string jpegFile(const PixelImage& image);
 
 }  // namespace lamina

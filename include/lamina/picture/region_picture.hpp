@@ -17,7 +17,8 @@ struct RegionPicture {
 };
 
 /// Draws the part in grey and the region in red as a PNG, in two views side by side: from the front right, 30
-/// deg above, and from the front left, 30 deg below. Where the part hides the region, it shines through.
+/// deg above, and from the front left, 30 deg below. Where the part hides the region, the region shines
+/// through.
 /// @throws InvalidInput if neither part nor region has a triangle
 /// @throws FileError if the picture cannot be written
 void drawRegion(const RegionPicture& picture, const std::string& png_path);

@@ -20,7 +20,7 @@ struct Thumbnail {
 };
 
 /// Thumbnails as `program.thumbnails` states them: "220x124 png, 16x16 qoi"; formats are png, qoi and jpg.
-/// @throws InvalidConfig if one is not of that form, or a side is not within 16 and 2000 pixels
+/// @throws InvalidConfig if a thumbnail is not of that form, or a side is not within 16 and 2000 pixels
 std::vector<Thumbnail> thumbnailsFrom(const std::string& text);
 
 /// The bytes of the picture's file: the part from the front right and 30 deg above, without skirt. Layers and

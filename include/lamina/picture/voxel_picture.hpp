@@ -21,8 +21,8 @@ VoxelSheet sheetAt(const VoxelFrame& frame, std::size_t axis, double at_mm);
 
 /// Draws a sheet as a PNG, solid dark and open light, with a scale bar. It is seen from above if normal to z,
 /// from the front if normal to y, from the side if normal to x, with z up. The picture shows the bounding box
-/// of all solid voxels of the grid. Where voxels are finer than pixels, a pixel is as dark as the share of it
-/// that is solid.
+/// of all solid voxels of the grid. Where voxels are finer than pixels, a pixel is as dark as its solid
+/// share.
 /// @throws InvalidInput if nothing in the grid is solid
 /// @throws FileError
 void drawVoxelSheet(const std::string& path, const VoxelGrid& grid, const VoxelSheet& sheet,

@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// Keeps the nozzle away from the part once it is printed, and writes the final move and the user's end code
-/// once each. Each is written as late as it still has its effect: the move before motors are switched off or
+/// once each. Each is written as late as it can still take effect: the move before motors are switched off or
 /// the program ends, the end code before the program ends.
 class ClosingCode {
  public:
@@ -32,7 +32,7 @@ class ClosingCode {
   void appendEndCode(std::string& out);
 
   std::optional<double> clear_z_;
-  /// Before the first motion of the end code, as leaning layers may end anywhere beside the part.
+  /// Lift before the first motion of the end code, as leaning layers may end anywhere beside the part.
   std::string lift_;
   std::string move_;
   std::string end_code_;

@@ -31,9 +31,9 @@ enum class LineStart {
   Other,
 };
 
-/// A block (line) of G-code, parsed in place and fast enough for files of many millions of lines. Words are
-/// parsed of the commands that move or set positions (G0 to G3, G10, G28, G92); of others only letter and
-/// number.
+/// A block (line) of G-code, parsed in place and fast enough for files of many millions of lines. All words
+/// are parsed of commands that move or set positions (G0 to G3, G10, G28, G92); of other commands only letter
+/// and number.
 class GcodeBlock {
  public:
   /// @param line  without its line feed; must outlive the next calls

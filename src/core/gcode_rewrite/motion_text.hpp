@@ -22,7 +22,7 @@ struct NewWords {
 /// @param command  must have at least one of X, Y, Z if there are new coordinates
 void appendRewritten(std::string& out, const GcodeBlock& command, const NewWords& words, int decimals);
 
-/// Appends the line without X, Y and Z; if only the command is left, as a comment.
+/// Appends the line without X, Y and Z; if nothing but the command is left, the line becomes a comment.
 void appendWithoutCoordinates(std::string& out, const GcodeBlock& command);
 
 /// Appends "X.. Y.. Z..".

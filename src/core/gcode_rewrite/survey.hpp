@@ -31,13 +31,13 @@ struct SurveyTotals {
   Extremes nozzle;  ///< ends of all motions except those of dropped build aids
   std::size_t layers = 0;
   std::size_t first_layer = 0;  ///< value of `layers` at the first deposition of the part
-  /// Lowest end of a deposition of the part in that layer, after the map and before the shift [mm].
+  /// Lowest end of a deposition of the part in its first layer, after the map and before the shift [mm].
   double first_layer_low_mm = std::numeric_limits<double>::infinity();
   std::size_t motions = 0;
   std::size_t depositions = 0;
   std::size_t arcs = 0;
   std::size_t last_deposition = 0;          ///< line number
-  std::size_t motion_after_deposition = 0;  ///< line of the first motion after it; 0 if there is none
+  std::size_t motion_after_deposition = 0;  ///< line of the first later motion; 0 if there is none
   std::size_t pushing = 0;                  ///< number of motions with E that deposit
   std::size_t not_pushing = 0;              ///< number of motions with E that do not deposit
 };
@@ -61,8 +61,7 @@ class Surveyor {
   void read(std::string_view line, std::size_t number);
 
   /// @throws InvalidProgram if no comment opens a layer, nothing is deposited, motions after the last
-  ///   deposition may belong to the part or to the end code, or E looks relative without any statement of
-  ///   that
+  ///   deposition may belong to the part or to the end code, or E looks relative although nothing states so
   Survey finish();
 
  private:

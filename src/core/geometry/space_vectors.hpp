@@ -15,8 +15,8 @@ inline double angleBetween(const Point3& a, const Point3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The rotation of a rotation vector: about it, by its length [rad]. That of no length leaves all exactly as
-/// it is.
+/// The rotation about a rotation vector, by the length of the vector [rad]; exactly the identity for length
+/// 0.
 inline Eigen::AngleAxisd turnBy(const Point3& rotation_vector) {
   const double angle = rotation_vector.norm();
   if (angle == 0.0) return {0.0, Point3::UnitZ()};

@@ -4,7 +4,8 @@
 
 namespace lamina {
 
-/// What makes a tour shorter by less is rounding, and could be undone and redone for ever [mm].
+/// Least shortening of a tour that counts [mm]. Less is rounding error: such changes could be undone and
+/// redone for ever.
 constexpr double kLeastGain = 1e-9;
 
 }  // namespace lamina

@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// Smaller gaps are not worth a run of their own, in squared pitches.
+/// Least area of a gap that is worth a run of its own, in squared pitches.
 constexpr double kLeastGap = 0.3;
 
 }  // namespace lamina

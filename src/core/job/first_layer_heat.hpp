@@ -15,8 +15,8 @@ namespace lamina {
 ProgramSettings startedFor(const FirstLayerSettings& first_layer, ProgramSettings settings);
 
 /// Adds commands for the program's temperatures, without a wait, before the second layer that has paths, if
-/// those of the first layer differ. With parts one after the other, whose layers begin at the bed again, the
-/// first layer of each has its temperatures.
+/// those of the first layer differ. If parts are printed one after the other, the first layer of each part
+/// has the first layer's temperatures.
 void addHeatAfterFirstLayer(Toolpath& toolpath, const FirstLayerSettings& first_layer,
                             const ProgramSettings& settings, PlateOrder order);
 

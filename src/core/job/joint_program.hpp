@@ -33,13 +33,13 @@ JointPathSettings jointsOf(const SliceJob& job, const KinematicModel& model);
 /// for it.
 bool isRefusedUnlessClear(const SliceJob& job);
 
-/// Says of a job whose nozzle turns that nobody checked whether the machine runs into something, and how to
-/// check it; empty if it is checked before it is written, nothing is written, or `clearance.need` is `never`.
-/// @param mode  in which it was sliced
+/// Note on a job whose nozzle turns: that collisions of the machine were not checked, and how to check them.
+/// Empty if the job is checked before it is written, nothing is written, or `clearance.need` is `never`.
+/// @param mode  in which the job was sliced
 std::string noteOnUnchecked(const SliceJob& job, const std::string& mode);
 
-/// Notes of a part whose time is that of the nozzle's tip alone, though a machine runs it whose joints may
-/// need longer, which command tells that time. Nothing is noted of machines that move linear axes alone.
+/// Adds a note to a part whose time is that of the nozzle's tip alone, though the joints of its machine may
+/// need longer: it names the command that tells this time. Machines with linear axes alone get no note.
 void addNoteOnTipTime(SlicedPart& sliced, const SliceJob& job, const BuildSpace& space);
 
 /// Refuses a job that asks for G-code of a robot.
@@ -53,8 +53,8 @@ bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPa
 /// Plans the joints of a five-axis machine that writes five-axis G-code, or of an arm that writes RAPID;
 /// nothing for all other jobs. The program of an arm states joints if `rapid.configuration` asks for them or
 /// the arm has external axes; its targets then turn about the tool axis as the joints do. Otherwise the
-/// joints are planned for the targets of the toolpath, and these are written unchanged, unless the arm, which
-/// by poses alone takes the joints nearest to those before, would not get through: then they state joints
+/// joints are planned for the targets of the toolpath, and the targets are written unchanged. By poses alone
+/// an arm takes the joints nearest to those before; if it would not get through, the targets state joints
 /// too. Where a collision is found, the tool axis is raised (`clearance.raise_tool_axis`), which changes the
 /// toolpath in `sliced` and is noted in its summary. What `clearance.need` requires is checked.
 /// @param progress  stages "joints" and "clearance"

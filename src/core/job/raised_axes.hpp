@@ -29,15 +29,15 @@ struct RaisedToolpath {
   double least_kept = 1.0;    ///< least share of the wanted lean that is kept
 };
 
-/// Raises tool axes towards upright: first to the lean at which nothing of the head is in the bed, then, from
-/// check to check, where the machine would run into something or cannot get there, as long as that leaves
-/// less of the lean.
+/// Raises tool axes towards upright: first to the greatest lean at which the head is clear of the bed, then,
+/// after each check, where the machine would run into something or cannot get there, as long as a lean
+/// decreases.
 /// @param check  finds what the machine cannot run of a toolpath
 /// @throws as `check`; InvalidConfig as `linkBodies`
 RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
                              const std::function<MachineCheck(const Toolpath&)>& check);
 
-/// Says how many tool axes lean less, and by how much.
+/// A sentence on how many tool axes lean less, and by how much.
 std::string noteOnRaised(const RaisedToolpath& raised);
 
 }  // namespace lamina

@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// Changes runs as the settings ask: spreads their starts, overlaps their ends, adds leads and entries,
-/// weaves; with notes in the summary. Must precede cooling, so that it counts the times of the changed
-/// layers. Totals of the summary are computed anew.
+/// Changes runs as the settings ask: spreads their starts, overlaps their ends, adds leads and entries, and
+/// weaves. Notes go to the summary. Must precede cooling, which counts the times of the changed layers.
+/// Totals of the summary are computed anew.
 /// @throws InvalidInput as `overlapEnds`
 /// @throws Unreachable if the machine does not reach what was added
 void changeRunsOf(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space);

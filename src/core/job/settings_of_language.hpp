@@ -8,14 +8,13 @@
 
 namespace lamina {
 
-/// Refuses a robot's program that would run with its process, or without the controller's arc package,
-/// although the settings of another language ask for a dry run, or for that package, and those of its own do
-/// not.
+/// Refuses a robot's program if the settings of another language ask for a dry run, or for the controller's
+/// arc package, and those of its own language do not: it would run with its process, or without the package.
 /// @throws InvalidConfig naming key, value and the key of the program's language
 void requireSettingsOfLanguage(const SliceJob& job);
 
-/// A note that names the settings, other than by default, that the language of a robot's program has no use
-/// for; empty if there are none, or the output is no program of a robot.
+/// A note that names the settings that were changed from their defaults although the language of a robot's
+/// program does not use them; empty if there are none, or the output is no program of a robot.
 std::string noteOnOtherLanguages(const SliceJob& job);
 
 }  // namespace lamina

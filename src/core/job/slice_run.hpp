@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// Makes the toolpath of a job: reads, slices and plans. Of the times in the summary it sets those of reading
-/// and of slicing.
+/// Makes the toolpath of a job: reads, slices and plans. It sets the times of reading and of slicing in the
+/// summary.
 using SliceFunction =
     std::function<SlicedPart(const SliceJob& job, const BuildSpace& space, Progress& progress)>;
 

@@ -8,9 +8,9 @@
 
 namespace lamina {
 
-/// The parameterization, starting from a guess, in which triangles keep their shape as well as possible. The
-/// best rotation of each triangle and the best parameterization for these rotations are computed in turn. An
-/// exact guess is returned unchanged.
+/// The parameterization in which triangles keep their shape as well as possible, found from a guess. The best
+/// rotation of each triangle and the best parameterization for these rotations are computed in turn. An exact
+/// guess is returned unchanged.
 /// @param guess  position of each vertex [mm]; the surface must be connected by edges
 std::vector<Point2> relaxArap(const ArapEnergy& energy, std::vector<Point2> guess);
 

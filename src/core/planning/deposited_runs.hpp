@@ -14,12 +14,12 @@
 
 namespace lamina {
 
-/// Area of those regions that none of the paths after the first `before` ones enters [mm²].
+/// Area of the regions that no path after the first `before` paths enters [mm²].
 double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::size_t before);
 
 /// The ends of runs.
 std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs);
-/// Runs in the order and directions in which they are deposited: as given, or for short travels.
+/// Runs in the order and directions in which they are deposited: as given, or reordered for short travels.
 /// @param from  place from which the nozzle comes [mm]
 std::vector<FillPath> inOrder(std::vector<FillPath> runs, RunOrder order, const Point2& from);
 /// The ends of closed runs: both are the first point.

@@ -38,8 +38,8 @@ struct GroupedInfill {
 /// @param area  area of sparse infill in the layer
 GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, double bead_width_mm);
 
-/// The group of each layer of a stack. An incomplete one at the top is a group too. Empty if each layer has
-/// an infill of its own.
+/// The group of each layer of a stack. An incomplete group at the top counts too. Empty if each layer has an
+/// infill of its own.
 /// @param covers      of all layers
 /// @param heights_mm  of all layers
 /// @param place       where the layers may lie

@@ -16,12 +16,12 @@ namespace lamina {
 
 /// The runs of a solid fill, in the order in which they are deposited.
 struct SolidRuns {
-  std::vector<FillPath> in_turn;    ///< first, as they are ordered here
-  std::vector<FillPath> any_order;  ///< then these, for short travels
+  std::vector<FillPath> in_turn;    ///< deposited first, in this order
+  std::vector<FillPath> any_order;  ///< deposited afterwards, ordered for short travels
 };
 
 /// The fill of one layer within its walls: how its areas meet the walls, with which beads, and along which
-/// runs. Knows nothing of what was deposited before, but what the requests state.
+/// runs. Of earlier deposition it knows only what the requests state.
 class LayerFill {
  public:
   /// @param context    must outlive this
@@ -38,25 +38,26 @@ class LayerFill {
   /// Whether the strategy fits its lines between the walls.
   bool isFitted() const;
   bool depositsDrops() const;
-  /// Whether beads fill the layer: those of a vase do not.
+  /// Whether beads fill the layer; false for a vase.
   bool isFilledByBeads() const;
 
   /// How the infill meets the walls. A sparse one runs into them rather than ending at them.
   WallContact contact() const;
   /// Distance by which the infill reaches into the walls [mm].
   double overlap() const;
-  /// Whether a solid infill is fitted apart from the walls: its beads have another width than theirs.
+  /// Whether a solid infill is fitted apart from the walls: its beads differ in width from those of the
+  /// walls.
   bool isFittedAlone() const;
-  /// The area that the infill's lines cover. Without walls the outermost lines lie as for beads that fill
-  /// their pitch: the part would grow or shrink.
+  /// The area that the infill's lines cover. Without walls the area is offset by half the difference between
+  /// the infill's pitch and the pitch that its beads fill: otherwise the part would grow or shrink.
   Regions area(const Regions& inside) const;
 
-  /// The request of the layer's infill, for an island at the origin from which nothing is known.
+  /// The request of the layer's infill, without island, start and branches.
   InfillRequest request() const;
-  /// The same, for lines of the infill that lie where those of another role would.
+  /// The same with the pitch of another role, for infill in place of that role.
   InfillRequest requestAs(PathRole role, InfillRequest request) const;
   /// The same, for skins.
-  /// @param turn_deg  against the first layer's skins
+  /// @param turn_deg  rotation relative to the skins of the first layer
   InfillRequest skinRequest(InfillRequest request, double turn_deg) const;
 
   /// The runs of the infill in an area, smoothed.

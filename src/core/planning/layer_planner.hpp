@@ -27,13 +27,13 @@ struct PlanContext {
   InfillStrategy strategy;
   InfillStrategy skin_strategy;
   std::size_t layer_count = 0;
-  Point2 anchor = Point2::Zero();  ///< of aligned seams; start of each layer's ordering [mm]
+  Point2 anchor = Point2::Zero();  ///< place of aligned seams, and start of each layer's order [mm]
   std::optional<BedPlane> bed;     ///< below inclined layers
   std::optional<Box2> level_bed;   ///< area of the nozzle over the bed of level layers, if known
   /// Pose of the layers' frame; the identity except for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
   LayerLift lift;  ///< of layers that are planned flat; empty for others
-  /// Of lifted layers: whether each one is solid, whatever the infill; empty if none is.
+  /// Of lifted layers: whether each is solid regardless of the infill; empty if none is.
   std::vector<bool> is_skin;
   /// Highest z of solid material on the bed before the first layer [mm, part frame].
   double standing_mm = -std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ struct PlanContext {
 /// The settings and the area of a variant of the plan in one layer (`PlanVariant`).
 struct LayerVariant {
   const PlanContext* context = nullptr;
-  const LayerCover* cover = nullptr;  ///< as the one of `StackedLayer`
+  const LayerCover* cover = nullptr;  ///< as `StackedLayer::cover`
   const LayerCover* cover_below = nullptr;
   const std::vector<Polyline>* branches = nullptr;
   const Regions* area = nullptr;
@@ -57,10 +57,10 @@ struct StackedLayer {
   /// Branches of a fill that grows from the layers above; null for other fills.
   const std::vector<Polyline>* branches = nullptr;
   const InfillGroup* group = nullptr;       ///< null if each layer has an infill of its own
-  const LayerAids* aids = nullptr;          ///< deposited first, but for supports; null for none
+  const LayerAids* aids = nullptr;          ///< deposited first, except supports; null for none
   const Regions* supports = nullptr;        ///< below an inclined layer, carried up to it; null for none
-  std::vector<LayerVariant> variants = {};  ///< those with an area in it
-  const Regions* seams = nullptr;           ///< where walls that pass start; null for anywhere
+  std::vector<LayerVariant> variants = {};  ///< variants with an area in this layer
+  const Regions* seams = nullptr;           ///< areas for seams (`Seam`); null for none
 };
 
 /// The paths of one layer.

@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// What a layer leaves open where it is to be solid and its fill lies in cells, be it by the settings of the
-/// plan or by those of a region of their own; all 0 if that is nowhere. A bead counts for all that it covers.
+/// The area that a layer leaves open where a fill in cells is to be solid, in the plan or in a region with
+/// its own settings; all 0 if there is no such fill. A bead counts for all the area that it covers.
 /// @param planned  the layer, where it was sliced
 LeftOpen leftOpenIn(const StackedLayer& stacked, const ToolpathLayer& planned, std::size_t index,
                     const PlanContext& context);

@@ -26,11 +26,12 @@ struct PlannedAids {
 /// Takes away the first layers of an inclined stack that hold neither part nor support.
 void dropEmptyBelow(std::vector<Layer>& layers, PlannedAids& aids);
 
-/// The sum of totals of different layers. The greatest area of supports in a layer is that of one of them.
+/// The sum of totals of different layers. The greatest area of supports in a layer is the greater one of
+/// both.
 SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b);
 
 /// Plans the build aids: supports of layers in parallel planes; skirt, brim, raft and prime line of level
-/// ones. Lifted layers and parts of drops have none.
+/// layers. Lifted layers and parts of drops have none.
 /// @param layers           in the frame of the layers
 /// @param support_regions  regions with other settings of supports
 /// @throws InvalidConfig if a prime line has no room; InvalidInput if there are such regions in layers far

@@ -18,8 +18,8 @@ struct RoleValueFormat {
   std::string example;  ///< "a role, '=' and a share, as top_skin=0.8"
 };
 
-/// Parses a list such as "outer_wall=0.04, infill=0.06" into values by role; none for roles that it does not
-/// name.
+/// Parses a list such as "outer_wall=0.04, infill=0.06" into values by role; none for roles that the list
+/// does not name.
 /// @throws InvalidConfig if a part is not a role, '=' and a number from 0 to the greatest
 std::array<std::optional<double>, kPathRoles> roleValues(const std::string& list,
                                                          const RoleValueFormat& format);

@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// The run with short motions merged, as at the ends of lines in a narrow place. Motions shorter than a
-/// bead's width that lie within a twentieth of it from a straight line become one motion with their volume.
-/// Others stay, and so do runs of one width.
+/// The run with short motions merged, as at the ends of lines in a narrow place. Motions shorter than a bead
+/// width that lie within a twentieth of that width from a straight line become one motion of the same volume.
+/// Other motions, and runs of one width, are unchanged.
 /// @param bead_mm  width of a nominal bead
 FillPath withoutShortMotions(FillPath run, double bead_mm);
 
-/// The runs without those that fill no more than a dot inside the part: reached by a travel, they deposit
-/// less than the nozzle oozes on the way. Sparse infill shorter than two bead widths, and skins, inner walls
-/// and gap fills shorter than one. What is seen stays, and so do drops.
+/// The runs without dots inside the part: runs that deposit less than the nozzle oozes on the travel to them.
+/// Dots are sparse infill shorter than two bead widths, and skins, inner walls and gap fills shorter than
+/// one. Visible runs and drops are kept.
 /// @param bead_mm  width of a nominal bead
 std::vector<FillPath> withoutDots(std::vector<FillPath> runs, double bead_mm);
 
@@ -39,7 +39,7 @@ Path withFlow(Path path, double factor);
 /// The layer without a factor that was applied to all beads of the part.
 ToolpathLayer withoutFlow(ToolpathLayer layer, double factor);
 
-/// The path along a run at the height of the nozzle tip [mm], at that feed [mm/s].
+/// The path along a run at the given height of the nozzle tip [mm] and feed [mm/s].
 Path pathAlong(const FillPath& run, AlongPath<Bead> bead, double z_mm, double feed_mm_s);
 
 }  // namespace lamina

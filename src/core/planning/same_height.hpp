@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// Heights that differ by less are the same [mm]: borders of layers are rounded sums.
+/// Heights closer to each other than this count as equal [mm]: borders of layers are rounded sums.
 constexpr double kSameHeight = 1e-6;
 
 }  // namespace lamina

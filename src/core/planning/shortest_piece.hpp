@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// What is shorter is no piece of a run that is divided [mm].
+/// Least length of a piece when a run is divided [mm].
 constexpr double kShortestPiece = 1e-3;
 
 }  // namespace lamina

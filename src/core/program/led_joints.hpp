@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// The joints at the end of a straight way of any length, on which a controller keeps to the solution that it
-/// set out with. The external axes move steadily to where they are in `to`.
+/// The joints at the end of a straight motion of any length, during which a controller keeps the solution
+/// with which it began. The external axes move steadily to their values in `to`.
 /// @param from  joints at the beginning
-/// @param to  joints with the external axes as they are at the end; of the other joints nothing is used
-/// @return nothing if a place on the way is out of reach; limits of joints are not checked
+/// @param to  joints with the external axes as they are at the end; values of the other joints are ignored
+/// @return nothing if a place on the line is out of reach; limits of joints are not checked
 std::optional<JointValues> ledJoints(const KinematicModel& arm, const JointValues& from,
                                      const Eigen::Isometry3d& bed_from_nozzle, const JointValues& to);
 

@@ -4,7 +4,8 @@
 
 namespace lamina {
 
-/// Heights that programs state and that differ by less are the same [mm]: a tenth of the last decimal of Z.
+/// Heights stated by programs that are closer than this count as equal [mm]: a tenth of the last decimal of
+/// Z.
 constexpr double kSameStatedHeight = 1e-4;
 
 }  // namespace lamina

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Writers hand their text on once it has so many bytes.
+/// Number of bytes at which writers hand their text on.
 constexpr std::size_t kTextPiece = 1U << 16;
 
 }  // namespace lamina

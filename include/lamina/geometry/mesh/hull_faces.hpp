@@ -15,8 +15,8 @@ struct HullFace {
 };
 
 /// Faces of the convex hull of points [Barber1996], the largest first. Triangles whose planes differ by no
-/// more than 0.01 deg are one face; points within 1e-9 times the extent of all points from a face lie on it.
-/// Time is about n log n in the number of points.
+/// more than 0.01 deg are one face; points lie on a face if they are within 1e-9 times the extent of all
+/// points from it. Time is about n log n in the number of points.
 /// @return none if all points lie in one plane
 std::vector<HullFace> hullFaces(const std::vector<Point3>& points);
 

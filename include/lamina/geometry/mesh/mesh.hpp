@@ -13,8 +13,8 @@ namespace lamina {
 /// Indices of a triangle's vertices, counter-clockwise seen from outside the solid.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Indexed triangles: vertices [mm, part frame], each stored once. Nothing is promised of closedness or
-/// orientation; `reportMesh` finds defects, `repairMesh` repairs them.
+/// Indexed triangles: vertices [mm, part frame], each stored once. Neither closedness nor orientation is
+/// guaranteed; `reportMesh` finds defects, `repairMesh` repairs them.
 struct Mesh {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
@@ -30,7 +30,7 @@ double volume(const Mesh& mesh);
 /// Sum of the triangles' areas [mm²].
 double surfaceArea(const Mesh& mesh);
 
-/// Both as one mesh; equal corners stay apart.
+/// Both meshes as one; equal vertices are not merged.
 Mesh joined(Mesh mesh, const Mesh& further);
 
 }  // namespace lamina

@@ -30,19 +30,19 @@ struct RepairSettings {
 };
 
 /// A mesh that encloses a solid: each edge has equally many half-edges in both directions, no triangle has
-/// the same vertex twice, and every body faces outwards, except that one inside another may face inwards, as
-/// a cavity.
+/// the same vertex twice, and every body faces outwards, except that a body inside another may face inwards,
+/// as a cavity.
 struct RepairResult {
   Mesh mesh;
   MeshTopology topology;              ///< of `mesh`; without border
-  std::vector<RepairChange> changes;  ///< empty if the mesh was sound, which is then returned bit for bit
+  std::vector<RepairChange> changes;  ///< empty if the mesh was sound; it is then returned bit for bit
 };
 
 /// Repairs a mesh so that it encloses a solid, in this order: drops triangles that have the same vertex
 /// twice, and repeated triangles; stitches borders (vertices within the tolerance, and vertices on border
 /// edges); orients neighbours alike, by majority; fills every hole (up to 120 edges by the triangulation that
 /// bends least, then is smallest; larger ones by ear clipping in their mean plane); turns bodies outwards;
-/// drops bodies that enclose no volume. What is sound is not changed, such as edges where an even number of
+/// drops bodies that enclose no volume. Sound features are not changed, such as edges where an even number of
 /// triangles meet, bodies that touch or overlap, and triangles without area between three different vertices.
 ///
 /// A sound mesh costs one pairing of its half-edges and one walk over its triangles.

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Which way the triangles of a mesh face.
+/// Direction in which the triangles of a mesh face.
 enum class MeshOrientation {
   Outward,       ///< neighbours agree, and every body that is no cavity faces outwards
   Inward,        ///< neighbours agree, and the mesh as a whole is inside out
@@ -27,7 +27,7 @@ struct MeshReport {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   Box3 box;  ///< [mm]
-  /// Signed; of an open mesh, that of the cone from its first vertex over the surface.
+  /// Signed volume; of an open mesh, the volume of the cone from its first vertex over the surface.
   double volume_mm3 = 0.0;
   double area_mm2 = 0.0;
   bool is_closed = false;             ///< every edge has equally many half-edges in both directions

@@ -26,7 +26,7 @@ inline std::uint32_t originOf(const Mesh& mesh, HalfEdge half_edge) {
   return mesh.triangles[half_edge / 3][half_edge % 3];
 }
 
-/// For each half-edge of a mesh, the one across its edge.
+/// For each half-edge of a mesh, the half-edge on the other side of its edge.
 struct MeshTopology {
   /// One for each half-edge: the half-edge of the same edge in the opposite direction, or `kNoHalfEdge`.
   /// Opposites are mutual.

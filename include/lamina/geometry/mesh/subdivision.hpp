@@ -13,7 +13,8 @@ namespace lamina {
 /// A mesh in which some edges were halved, once or several times.
 struct Subdivision {
   Mesh mesh;  ///< the original vertices under their numbers, followed by the new ones
-  /// For each new vertex in order: the two vertices half way between which it lies, both of lower numbers.
+  /// For each new vertex in order: the two vertices, both of lower numbers, midway between which the new one
+  /// lies.
   std::vector<std::array<std::uint32_t, 2>> ends;
 };
 

@@ -22,8 +22,9 @@ class WallNormals {
   WallNormals(WallNormals&&) noexcept;
   WallNormals& operator=(WallNormals&&) noexcept;
 
-  /// Normal of the walls at their point nearest to `point`, of unit length: the triangle's in the middle of a
-  /// triangle; at an edge the mean of both triangles if they differ by less than 45 degrees.
+  /// Normal of the walls at their point nearest to `point`, of unit length: the triangle's normal in the
+  /// middle of a triangle, changing towards an edge to the mean of both normals if they differ by less than
+  /// 45 degrees.
   Point3 at(const Point3& point) const;
 
  private:

@@ -55,7 +55,7 @@ Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellatio
               Progress& progress);
 
 /// Reads a mesh from bytes in memory, as `readMesh`.
-/// @param name  stands for the path: in errors, and by its suffix
+/// @param name  replaces the path: in errors, and for its suffix
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units = {},
                        const Tessellation& tessellation = {});
 

@@ -27,18 +27,18 @@ std::vector<std::string> partNames();
 bool isPartName(const std::string& name);
 
 /// Description of a part in one sentence.
-/// @throws InvalidConfig if there is no such part; names those there are
+/// @throws InvalidConfig if there is no such part; the message names all parts
 std::string partMeaning(const std::string& name);
 
 /// The parameters of a part.
-/// @throws InvalidConfig if there is no such part; names those there are
+/// @throws InvalidConfig if there is no such part; the message names all parts
 std::vector<PartParameter> partParameters(const std::string& name);
 
 /// Makes a part [mm], standing on z = 0 with the z axis through its middle: a closed mesh that faces
 /// outwards, with every vertex stored once. Round surfaces are inscribed polygons with the given number of
 /// segments. Parameters that are not given keep their defaults.
 ///
-/// @throws InvalidConfig if there is no such part or parameter (names those there are), or a value is out of
+/// @throws InvalidConfig if there is no such part or parameter (the message names all), or a value is out of
 ///   bounds or contradicts another
 Mesh makePart(const std::string& name, const std::vector<SettingText>& parameters = {});
 

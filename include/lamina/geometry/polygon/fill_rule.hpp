@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Which area outlines enclose that may run in either direction and may cross.
+/// Rule for the area enclosed by outlines that may run in either direction and may cross.
 enum class FillRule : std::uint8_t {
   NonZero,  ///< points with a winding number other than 0
   EvenOdd,  ///< points from which a ray to the outside crosses outlines an odd number of times

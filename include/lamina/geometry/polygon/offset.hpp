@@ -14,8 +14,8 @@ enum class Join {
   Round,  ///< an arc, true within 0.005 mm
 };
 
-// Regions given to these functions must not overlap themselves or each other, and neither do those returned:
-// the winding number of every point is 0 or 1. Call `unite` first on outlines that may overlap; only
+// Regions given to these functions must not overlap themselves or each other, and regions returned do not
+// either: the winding number of every point is 0 or 1. Call `unite` first on outlines that may overlap; only
 // `difference` and `intersection` accept overlapping regions, as their union. Where outlines meet, results
 // are rounded to a grid of 1e-5 mm, and lie within that distance of the exact ones. The same input gives the
 // same regions. Points farther than 10 m from the origin are refused with InvalidInput. Islands inside holes
@@ -24,8 +24,9 @@ enum class Join {
 /// The union of the outlines by the nonzero rule: all points whose winding number is not 0.
 Regions unite(const std::vector<Polygon>& polygons);
 
-/// The regions grown by `delta_mm`, or shrunk if it is negative: parts narrower than twice that vanish. The
-/// join applies to convex corners when growing and to reflex ones when shrinking; the others stay sharp.
+/// The regions grown by `delta_mm`, or shrunk if it is negative: parts narrower than twice the distance
+/// vanish. The join applies to convex corners when growing and to reflex corners when shrinking; all others
+/// stay sharp.
 Regions offset(const Regions& regions, double delta_mm, Join join = Join::Mitre);
 
 /// The parts of `regions` that are outside `subtracted`.

@@ -14,7 +14,7 @@ namespace lamina {
 struct OutlinePlace {
   std::size_t outline = 0;  ///< index of the outline
   std::size_t segment = 0;  ///< index of the point before
-  double fraction = 0.0;    ///< of the way to the next point, 0 to 1
+  double fraction = 0.0;    ///< share of the distance to the next point, 0 to 1
 };
 
 /// Counter-clockwise triangles that fill an area of the plane without overlap.
@@ -29,8 +29,8 @@ struct RegionTriangulation {
 /// n log n.
 ///
 /// @param outlines  simple, not touching each other; material on their left
-/// @throws InvalidInput if an outline has fewer than three points, or still is no edge after it was divided
-///   ten times, as where it crosses itself
+/// @throws InvalidInput if an outline has fewer than three points, or a piece of it is still no edge after
+///   ten divisions, as where it crosses itself
 RegionTriangulation triangulated(const std::vector<Polygon>& outlines, double step_mm);
 
 }  // namespace lamina

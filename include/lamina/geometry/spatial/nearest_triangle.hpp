@@ -12,7 +12,7 @@ namespace lamina {
 
 /// The point of a mesh that is nearest to a given point.
 struct NearestPlace {
-  std::uint32_t triangle = 0;     ///< index of the triangle that it lies on
+  std::uint32_t triangle = 0;     ///< index of the triangle on which the point lies
   Point3 point = Point3::Zero();  ///< [mm]
   double distance_mm = 0.0;
 };
@@ -24,7 +24,7 @@ class NearestTriangle {
   /// @throws InvalidInput if it has none
   explicit NearestTriangle(const Mesh& mesh);
 
-  /// The nearest point of the mesh; of equally near triangles that on the one of the lowest index.
+  /// The nearest point of the mesh; of equally near triangles, the point on the triangle of the lowest index.
   NearestPlace nearest(const Point3& point) const;
 
   /// The same, but nothing if no point of the mesh is nearer than `within_mm`.
@@ -33,7 +33,7 @@ class NearestTriangle {
  private:
   struct Node {
     Box3 box;
-    std::uint32_t first = 0;  // of its triangles if it is a leaf, otherwise the number of its right child
+    std::uint32_t first = 0;  // index of the first triangle of a leaf, otherwise number of the right child
     std::uint32_t count = 0;  // 0 for an inner node, whose left child follows it
   };
   struct Search;

@@ -81,7 +81,7 @@ class PointGrid {
   double cell_mm_;
   int columns_ = 1;
   int rows_ = 1;
-  std::size_t count_ = 0;             ///< of the points that are not removed
+  std::size_t count_ = 0;             ///< number of points that are not removed
   std::vector<std::uint32_t> first_;  ///< point of each cell
   std::vector<std::uint32_t> next_;   ///< point of the same cell, for each point
   std::vector<Point2> points_;

@@ -11,9 +11,9 @@ namespace lamina {
 
 /// The solid angle that a mesh covers as seen from a point: 4 pi inside a closed mesh that faces outwards, 0
 /// outside, and nearly so if some triangles are missing. Groups of triangles that are far from the point
-/// compared with their extent count as one small area, after [Barill2018]. If the result is near 2 pi, so
-/// that this could decide the side, every triangle counts by itself. The side of a point is thus found in a
-/// time that hardly grows with the number of triangles. Queries may be made from several threads.
+/// compared with their extent count as one small area, after [Barill2018]. If the result is so near 2 pi that
+/// this approximation could decide the side, every triangle counts by itself. The side of a point is thus
+/// found in a time that hardly grows with the number of triangles. Queries may be made from several threads.
 class SolidAngle {
  public:
   /// @param mesh  must outlive this
@@ -31,7 +31,7 @@ class SolidAngle {
     Point3 middle = Point3::Zero();  ///< of the areas
     Point3 area = Point3::Zero();    ///< along the normals, summed [mm²]
     double radius_mm = 0.0;          ///< of all corners about the middle
-    std::uint32_t first = 0;  ///< of its triangles if it is a leaf, otherwise the number of its right child
+    std::uint32_t first = 0;  ///< index of the first triangle of a leaf, otherwise number of the right child
     std::uint32_t count = 0;  ///< 0 for an inner node, whose left child follows it
   };
 

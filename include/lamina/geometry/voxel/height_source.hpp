@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Heights of the cells of a grid, wherever they are stored, which are asked for one at a time.
+/// Heights of the cells of a grid, queried one at a time, wherever they are stored.
 struct HeightSource {
   HeightGrid grid;
   /// Height of a cell of the grid [mm, bed frame]; NaN where nothing is known.

@@ -10,18 +10,18 @@
 namespace lamina {
 
 /// Returns how far inside a lattice point lies: positive inside, negative outside. It is called for pairs of
-/// neighbours of which one is inside and the other is not, also for points one step outside the frame.
+/// neighbours on different sides of the surface, also for points one step outside the frame.
 using DepthInside = std::function<double(int i, int j, int k)>;
 
 /// The closed surface between lattice points that are inside and those that are not, by marching cubes
-/// [Lorensen1987]. Lattice points are the centres of the voxels; those of solid voxels of `inside` are
-/// inside, and all points outside its frame are outside. If on a face of a cube two diagonally opposite
+/// [Lorensen1987]. Lattice points are the centres of the voxels; the centres of solid voxels of `inside` are
+/// inside, and all points beyond its frame are outside. If on a face of a cube two diagonally opposite
 /// corners are inside and the other two are not, the two inside are kept apart, in both cubes that share the
 /// face. The surface is therefore closed, has no edge with more than two triangles, and faces outwards.
 ///
 /// Time is proportional to the words of the grid and to the surface; memory to a slice and to the surface.
 ///
-/// @param depth  by which vertices are placed between two points, by linear interpolation; empty for half way
+/// @param depth  places vertices between two points by linear interpolation; empty: vertices lie midway
 /// @throws InvalidMesh if there are more vertices than a mesh can number
 Mesh isosurface(const VoxelGrid& inside, const DepthInside& depth = {});
 

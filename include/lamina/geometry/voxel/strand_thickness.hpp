@@ -13,14 +13,13 @@ VoxelGrid inCubes(const VoxelGrid& grid, int side);
 
 /// Thickness of the solid in voxels.
 struct StrandThickness {
-  /// The greatest side, up to `kStrandVoxels`, of cubes of which at least nine tenths of the solid voxels are
-  /// part (`inCubes`); 0 for a grid without solid voxels.
+  /// The greatest side of cubes, up to `kStrandVoxels`, for which at least nine tenths of the solid voxels
+  /// are part of such a cube (`inCubes`); 0 for a grid without solid voxels.
   int voxels = 0;
   double thin_share = 0.0;  ///< share of the solid voxels that are part of no cube of side `kStrandVoxels`
 };
 
-/// Number of voxels that a strand should be thick at least, for elements of their size to bend as they
-/// should.
+/// Least thickness of a strand, in voxels, at which finite elements of the voxels' size bend correctly.
 constexpr int kStrandVoxels = 4;
 
 StrandThickness strandThicknessOf(const VoxelGrid& grid);

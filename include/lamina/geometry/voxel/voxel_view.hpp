@@ -19,13 +19,13 @@ std::vector<Point3> surfaceVoxels(const VoxelGrid& grid);
 /// @param factor  1 or more
 VoxelGrid coarsened(const VoxelGrid& grid, int factor);
 
-/// The `surfaceVoxels` of the grid or, if these are more than `most`, of the finest coarsened one that has no
-/// more.
+/// The `surfaceVoxels` of the grid or, if these are more than `most`, of the finest coarsened grid with at
+/// most `most`.
 /// @param most  1 or more
 std::vector<Point3> shownVoxels(const VoxelGrid& grid, std::size_t most);
 
-/// The `isosurface` of the grid or, if this has more than `most` triangles, of the finest coarsened one that
-/// has no more.
+/// The `isosurface` of the grid or, if this has more than `most` triangles, of the finest coarsened grid for
+/// which it has not.
 /// @param most  1 or more
 Mesh shownSurface(const VoxelGrid& grid, std::size_t most);
 

@@ -32,8 +32,8 @@ struct Void {
 /// An area is uncovered if it is farther than half a bead's width from the centre line of every bead, and
 /// farther than half a drop's width from the centre of every drop. Overfill is found with beads of the width
 /// that they fill (`planWidth`), so that it corresponds to volume. Where several passes cover an area, all
-/// but one of them count as overfill; outside of the contour all of them do. Points of a path within one and
-/// a half widths of each other along it belong to one pass, so that bends are no overlap.
+/// but one of them count as overfill; outside of the contour all of them do. Points of a path at most one and
+/// a half widths apart along the path belong to one pass: bends are no overlap.
 struct LayerVoids {
   double z_mm = 0.0;              ///< top of the layer
   double pitch_mm = 0.0;          ///< mean plan width of the beads by length; 0 if nothing is deposited
@@ -41,7 +41,7 @@ struct LayerVoids {
   double deposited_mm2 = 0.0;     ///< deposited volume over the height of the layer
   double uncovered_mm2 = 0.0;     ///< area that is uncovered
   double overfill_mm2 = 0.0;      ///< area of overfill
-  double outside_mm2 = 0.0;       ///< share of the overfill that is outside of the contour
+  double outside_mm2 = 0.0;       ///< area of overfill outside of the contour
   std::size_t runs = 0;           ///< number of paths that deposit
   std::vector<Void> voids;        ///< those of at least `least_void`, from low to high y
   std::vector<Region> overfills;  ///< areas of overfill of at least `least_void` [mm]
@@ -53,8 +53,7 @@ LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const V
 
 /// Finds the voids and the overfill of all layers, in parallel.
 /// @param contours  one per layer
-/// @throws InvalidInput if the number of contours is another than that of layers, or the layers are inclined;
-///   Cancelled
+/// @throws InvalidInput if the numbers of contours and layers differ, or the layers are inclined; Cancelled
 std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const Toolpath& toolpath,
                                   const VoidMapSettings& settings, Progress& progress);
 

@@ -27,9 +27,9 @@ struct VoidSearch {
 };
 
 /// The void points with at least the least distance to all drops, within a millionth of the diameter. They
-/// are in the order of x and then y, and no two are closer to each other than that tolerance. There are void
+/// are in the order of x and then y, and no two are closer to each other than this tolerance. There are void
 /// points outside of the drops, too; `inside` removes them.
-/// @param drops  centres; coincident ones count once. There are no void points of fewer than three.
+/// @param drops  centres; coincident ones count once. Fewer than three drops have no void points.
 std::vector<VoidPoint> findVoidPoints(VoidDetector detector, const std::vector<Point2>& drops,
                                       const VoidSearch& search);
 

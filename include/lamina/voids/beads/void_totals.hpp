@@ -17,7 +17,7 @@ struct AreaShare {
   double mean_percent = 0.0;    ///< mean of the percentages of the layers
   double total_percent = 0.0;   ///< percentage of the area of all layers together
   double worst_percent = 0.0;   ///< greatest percentage of a layer
-  std::size_t worst_layer = 0;  ///< index of the layer that has it; 0 if no layer has any
+  std::size_t worst_layer = 0;  ///< index of the layer with the greatest percentage; 0 if there is none
 };
 
 /// Totals over all layers.

@@ -22,9 +22,9 @@ struct DropVoid {
 
 /// Finds the voids of a layer and fills them one by one [Sobreviela2014, section 4.1]. The points of a void
 /// are ordered into a line that starts at the point farthest from their middle and always continues to the
-/// nearest remaining point. Along that line a drop is placed at each point that has the least distance
-/// (`leastDistance`) from all new drops before it; the points themselves have it from all prior drops. A
-/// layer without contours has no inside and gets no drops.
+/// nearest remaining point. Along that line a drop is placed at each point that is at least `leastDistance`
+/// from all new drops before it; all points keep this distance from prior drops. A layer without contours has
+/// no inside and gets no drops.
 /// @return the voids by the x, then y, of their first points; those found by later passes last
 /// @throws InvalidInput if the diameter is not positive
 std::vector<DropVoid> fillDropVoids(const DropLayer& layer, const DropVoidSettings& settings);

@@ -42,8 +42,8 @@ struct DropContour {
 /// are counter-clockwise, those around holes clockwise. A contour around material is a border unless the next
 /// contour outside of it is also counter-clockwise. A contour around a hole is a border unless the next
 /// contour inside of it is also clockwise. A contour around a hole is no border either if a gap of more than
-/// 2.5 diameters shows that drops are missing, and another contour is the border of the hole. If a contour
-/// with such a gap crosses a whole contour, it counts as the next one outside of that only if there is no
+/// 2.5 diameters shows that drops are missing, and another contour is the border of the hole. A contour with
+/// such a gap that crosses a contour without one counts as the next outside of the latter only if there is no
 /// other.
 std::vector<DropContour> contoursOf(const DropLayer& layer);
 
@@ -53,8 +53,9 @@ std::vector<Polygon> borders(const std::vector<DropContour>& contours);
 
 /// Guesses the chains of a layer whose program does not distinguish contours from infill. A chain continues
 /// as long as each drop is at most two diameters from the one before, and ends where it returns to its start.
-/// A closed chain is a contour if it is inside of no other, or if it is a hole: if it is inside of such a one
-/// and encloses a space without drops that is wider than 1.2 diameters. All other chains are infill.
+/// A closed chain is a contour if it is inside of no other closed chain. A closed chain inside of another is
+/// a contour too, of a hole, if it encloses a space without drops that is wider than 1.2 diameters. All other
+/// chains are infill.
 std::vector<DropChain> guessChains(const std::vector<Point2>& drops, double diameter_mm);
 
 }  // namespace lamina

@@ -24,8 +24,8 @@ class AxisGraph {
   void add(std::size_t from, std::size_t to, std::vector<AxisPoint> points);
   void remove(std::size_t piece);
 
-  /// Removes the first `count` points of a piece, counted from one of its end vertices; `vertex` becomes its
-  /// end in place of that vertex.
+  /// Replaces a piece by a new one without the first `count` points from its end at `vertex`. The new piece
+  /// begins at a new vertex.
   void cutFront(std::size_t piece, std::size_t vertex, std::size_t count);
 
   std::size_t pieceCount() const { return pieces_.size(); }

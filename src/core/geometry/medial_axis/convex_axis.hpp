@@ -10,7 +10,7 @@ namespace lamina {
 
 /// The exact medial axis of a convex region with few corners, from moving its edges inwards together: the
 /// axis is the trace of their ends until each edge has shrunk to a point. Nothing for other regions. It is
-/// faster than the Voronoi diagram for small rests, of which a part has thousands.
+/// faster than the Voronoi diagram for small rests, and a part has thousands of these.
 std::optional<MedialAxis> convexAxis(const Region& region);
 
 }  // namespace lamina

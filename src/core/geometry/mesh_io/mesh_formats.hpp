@@ -13,8 +13,8 @@ namespace lamina {
 // One reader for each format: it takes bytes and returns welded triangles in the unit of the file. `name` is
 // for error messages. All throw InvalidMesh.
 
-/// Whether the triangles have no border and enclose a volume; then none is missing, whatever the header
-/// states.
+/// Whether the triangles have no border and enclose a volume; then no triangle is missing, whatever the
+/// header states.
 bool isClosedSurface(const Mesh& mesh);
 
 /// Number of bytes of a binary STL before its triangles.

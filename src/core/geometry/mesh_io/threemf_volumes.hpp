@@ -35,9 +35,9 @@ struct RangeOfHeights {
 
 /// Metadata of slicers in a 3MF file, beside the model, on how the part is printed.
 struct SlicerWords {
-  /// By index of the object among those of the model, from 0.
+  /// By index of the object among the model's objects, from 0.
   std::map<std::size_t, ObjectWords> objects;
-  /// By index of the object among those that are built, from 0.
+  /// By index of the object among the built ones, from 0.
   std::map<std::size_t, std::vector<RangeOfHeights>> heights;
 };
 

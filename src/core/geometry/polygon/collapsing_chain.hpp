@@ -20,7 +20,7 @@ class CollapsingChain {
 
   /// Whether, within that distance, all edges but the first and the last vanish one after the other, each
   /// hidden by the area that its neighbours sweep. At a corner that opens, one neighbour turns away; the
-  /// other one then sweeps all area behind its line only up to its own end.
+  /// other neighbour then sweeps the area behind its line only up to its own end.
   bool collapsesWithin(double distance_mm);
 
  private:

@@ -21,7 +21,7 @@ class CrossedOutlines {
 
   /// The intersection of the two areas. Nothing if outlines of one are close to those of the other without
   /// plainly crossing them, or if regions of one area meet. Corners lie within 1e-5 mm of the exact ones;
-  /// anything narrower is left out.
+  /// narrower pieces are left out.
   std::optional<Regions> common() const;
   /// `a` without `b`; nothing as for `common`.
   std::optional<Regions> rest() const;

@@ -12,7 +12,7 @@ struct DividedArea {
   Regions rest;    ///< outside the other area
 };
 
-/// `intersection` and `difference` of two areas together, in little more time than one of them takes.
+/// `intersection` and `difference` of two areas together, in little more time than either takes alone.
 DividedArea divided(const Regions& area, const Regions& by);
 
 }  // namespace lamina

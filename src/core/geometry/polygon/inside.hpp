@@ -13,8 +13,8 @@ namespace lamina {
 /// 1e-4 mm. For a line along an outline the result may be either.
 bool staysInside(const Regions& regions, const Point2& from, const Point2& to);
 
-/// Tests many lines in the same regions (`staysInside`). Only regions in whose bounding box a line begins are
-/// examined, and only those of their holes whose bounding box the line enters.
+/// Tests many lines in the same regions (`staysInside`). A region is examined only if the line begins in its
+/// bounding box, and a hole only if the line enters its bounding box.
 class InsideTest {
  public:
   /// @param regions  must outlive the object

@@ -14,8 +14,7 @@
 
 namespace lamina {
 
-/// Squares in x and y, regardless of z, which all take memory; or cubes, of which only those with boxes take
-/// memory.
+/// Squares in x and y, regardless of z; all of them take memory. Or cubes; only cubes with boxes take memory.
 enum class CellKind : std::uint8_t { Squares, Cubes };
 
 /// The space that is divided into cells.
@@ -25,7 +24,7 @@ struct CellSpace {
   double cell_mm = 1.0;  ///< positive, and at least a millionth of the size of the box
 };
 
-/// Numbered boxes, assigned to cells so that those that may contain a point are found at once.
+/// Numbered boxes, assigned to cells so that the boxes that may contain a point are found at once.
 class BoxCells {
  public:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;

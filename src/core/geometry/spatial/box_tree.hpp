@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Boxes in a balanced tree, in which those that overlap another box are found in logarithmic time.
+/// A balanced tree of boxes. The boxes that overlap a given one are found in logarithmic time.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box3> boxes);

@@ -38,14 +38,14 @@ class EdgeBands {
 
   const Box2& box() const { return box_; }
 
-  /// Whether certainly none of the edges meets this one.
+  /// Whether certainly none of the edges meets the given one.
   bool areApartFrom(const BorderEdge& edge) const;
 
   /// Whether a point lies inside, by the even-odd rule; on a border the result may be either.
   bool enclose(const Point2& point) const;
 
-  /// The x at which edges cross the line at a given y, from left to right: inside begins and ends
-  /// alternately.
+  /// The x at which edges cross the line at a given y, from left to right: the inside begins and ends at
+  /// alternate crossings.
   std::vector<double> crossings(double y) const;
 
   /// Positions at which a segment crosses edges, ascending, as shares of its length between 0 and 1.

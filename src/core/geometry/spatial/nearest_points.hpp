@@ -16,15 +16,15 @@ struct NearPoint {
   std::uint32_t index = 0;  ///< of the point
 };
 
-/// Finds those of many points in space that are nearest to a place, in logarithmic time. Queries may be made
-/// from several threads.
+/// Finds the points in space that are nearest to a place, in logarithmic time. Queries may be made from
+/// several threads.
 class NearestPoints {
  public:
   explicit NearestPoints(std::vector<Point3> points);
 
   const std::vector<Point3>& points() const { return points_; }
 
-  /// The nearest points, nearest first, of equally near ones that of the lowest index first.
+  /// The nearest points, nearest first, equally near ones in the order of their indices.
   /// @param count  how many; all points are found if there are fewer
   std::vector<NearPoint> nearest(const Point3& place, std::size_t count) const;
 

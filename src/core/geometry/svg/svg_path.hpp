@@ -18,7 +18,7 @@ struct SvgEllipse {
   double turn_rad = 0.0;
 };
 
-/// Draws outlines through a map, with curves as points such that the chords lie within 0.005 mm of them.
+/// Draws outlines through a map. Curves become chords that lie within 0.005 mm of the curve.
 class SvgPen {
  public:
   explicit SvgPen(const Eigen::Affine2d& mm_from_user) : map_(mm_from_user) {}

@@ -15,7 +15,7 @@ namespace lamina {
 /// A place on a loop.
 struct LoopPlace {
   double position_mm = 0.0;  ///< along the loop, from its first point
-  double distance_mm = 0.0;  ///< from the point whose nearest place was asked for
+  double distance_mm = 0.0;  ///< from the queried point
 };
 
 /// A stretch of a loop, centred at a position.
@@ -129,8 +129,8 @@ class LoopGraph {
   std::vector<std::vector<LoopGap>> gaps_;   ///< loop by loop
   std::vector<std::vector<Joints>> joints_;  ///< for each gap
   std::vector<std::array<Point2, 2>> links_;
-  std::vector<std::size_t> group_;                 ///< of each loop: the lowest in it
-  std::vector<std::vector<std::size_t>> members_;  ///< of each group; asked for far more often than merged
+  std::vector<std::size_t> group_;                 ///< lowest loop of the group, for each loop
+  std::vector<std::vector<std::size_t>> members_;  ///< loops of each group; read far more often than merged
 };
 
 }  // namespace lamina

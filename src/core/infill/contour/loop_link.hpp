@@ -16,7 +16,7 @@ struct LoopLink {
   LinkEnds ends = LinkEnds::Alike;
 };
 
-/// Conditions for a link; lengths are in parts of the distance between the loops.
+/// Conditions for a link; lengths are relative to the distance between the loops.
 struct LinkLimits {
   double straightness = 0.97;  ///< least ratio of a gap's chord to its length
   double longest = 1.15;       ///< greatest length of a link

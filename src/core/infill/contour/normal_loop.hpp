@@ -13,9 +13,9 @@ struct NormalLoop {
 };
 
 /// The outline with additional points, as few as possible and evenly spaced between its own, so that
-/// neighbours are at most `longest_step_mm` apart [Flores2018, figures 40 and 41]. The normal at an own point
-/// is the mean of those of its two edges; at points between, it changes evenly from one end to the other.
-/// Points closer than 1e-9 mm to the one before are left out.
+/// neighbours are at most `longest_step_mm` apart [Flores2018, figures 40 and 41]. The normal at a point of
+/// the outline is the mean of the normals of its two edges; at points between, it changes evenly from one end
+/// to the other. Points closer than 1e-9 mm to the one before are left out.
 NormalLoop withNormals(const Polygon& outline, double longest_step_mm);
 
 /// The outline with each point moved along its normal, as for several perimeters in [Flores2018, section

@@ -7,8 +7,8 @@
 namespace lamina {
 
 /// One open spiral for each connected region, from the outside inwards: it follows each contour except for a
-/// gap as wide as the distance to the next one, and there steps over to the next. Contours that are not on
-/// its way, around islands and in side branches, are joined to it as in `contour`.
+/// gap as wide as the distance to the next one, and there steps over to the next. All other contours, around
+/// islands and in side branches, are joined to the spiral as in `contour`.
 /// @throws InvalidInput if the spacing is not positive, or too small for the region
 std::vector<FillPath> spiral(const Regions& regions, const InfillRequest& request);
 

@@ -11,11 +11,11 @@
 
 namespace lamina {
 
-/// Drops along a closed outline: one at each corner (a turn by more than 50 degrees), and between corners as
-/// many, evenly spaced, as are at least the pitch apart along the outline. A corner closer to the one before
-/// than the pitch has no drop of its own. An outline shorter than the pitch has one drop. Where drops would
-/// be more than a quarter of the pitch farther apart than the pitch, one more is placed if they are still at
-/// least `least_mm` apart.
+/// Drops along a closed outline: one at each corner (a turn by more than 50 degrees), and between corners the
+/// greatest number of evenly spaced drops that are at least the pitch apart along the outline. A corner
+/// closer to the one before than the pitch has no drop of its own. An outline shorter than the pitch has one
+/// drop. Where drops would be more than 1.25 pitches apart, one more is placed if all are still at least
+/// `least_mm` apart.
 Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm);
 
 /// Refuses regions of a layer that have room for more than 5 million drops.
@@ -34,7 +34,7 @@ class DropFill {
   /// Adds contours around the regions, from the outside: the first half a diameter inside the border, the
   /// next ones a line spacing further inside, until there are `most` or no further one fits. Each starts near
   /// the end of the one before. Contours along the border are outer walls, the others inner walls. Where the
-  /// first one would run back beside itself too closely for two rows, there is one row instead, as infill.
+  /// first contour would run back beside itself too closely for two rows, one row replaces both, as infill.
   void addContours(const Regions& regions, std::size_t most);
 
   /// Area inside the contours for the centres of further drops, a line spacing from the innermost contour.

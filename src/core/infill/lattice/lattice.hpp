@@ -37,8 +37,8 @@ class LatticeFrame {
   int rows_ = 0;
 };
 
-/// Plan width of a bead [mm]: the pitch, times the area of a cell over that of a cell of the requested
-/// spacing.
+/// Plan width of a bead [mm]: the pitch times the ratio of a cell's area to the area of a cell of the
+/// requested spacing.
 double beadWidth(const LatticeFrame& frame, const InfillRequest& request);
 
 /// The cells of a lattice whose centres are in a region, and the steps between neighbours that stay in the
@@ -46,7 +46,8 @@ double beadWidth(const LatticeFrame& frame, const InfillRequest& request);
 struct Lattice {
   LatticeFrame frame;
   Raster rows;     ///< the region cut along the rows, in lattice coordinates
-  Raster columns;  ///< along the columns, in lattice coordinates turned by a quarter: line -c is column c
+  Raster columns;  ///< the region cut along the columns, in lattice coordinates turned by a right angle: line
+                   ///< -c is column c
 
   Lattice(const Region& centre_lines, double spacing_mm, double angle_rad);
 

@@ -12,8 +12,8 @@ namespace lamina {
 /// A layer as input for the branches in it.
 struct BranchLayer {
   Regions inside;         ///< area within the walls, where branches may be [mm]
-  Regions roof;           ///< part of that area on which solid material of the next layer lies
-  double reach_mm = 0.0;  ///< by which a bead of the next layer may overhang one of this layer
+  Regions roof;           ///< part of `inside` below solid material of the next layer
+  double reach_mm = 0.0;  ///< distance by which a bead of the next layer may overhang a bead of this layer
 };
 
 /// Density and overlap of branches.
@@ -25,7 +25,7 @@ struct BranchSettings {
 /// Branches that support roofs and nothing else, made from the top layer down. Tips under each roof are
 /// joined to the nearest wall or branch, the nearest ones first. In each layer below, branches are shortened
 /// at their tips by the reach, straightened by at most the reach, and extended to the wall where it has moved
-/// away. So every bead of a branch lies on one of the layer below, or overhangs it by at most the reach.
+/// away. Every bead of a branch thus lies on a bead of the layer below, or overhangs it by at most the reach.
 /// @param layers  from the bottom
 /// @return the branches of each layer, each from its tip to the wall or another branch
 std::vector<std::vector<Polyline>> branchesUnderRoofs(const std::vector<BranchLayer>& layers,

@@ -13,8 +13,8 @@ namespace lamina {
 /// A pattern that covers the plane: returns its curves in a box.
 using Pattern = std::function<PatternCurves(const Box2& box)>;
 
-/// The direction of patterns [rad]: in every layer that of the first layer, so that walls stand on each
-/// other.
+/// The direction of patterns [rad]: the direction of the first layer in all layers, so that walls stand on
+/// each other.
 double patternAngle(const InfillRequest& request);
 
 /// Refuses a spacing that is not positive, or so small that the box extends to more than 10 million spacings

@@ -22,8 +22,8 @@ struct GridSection {
 /// The zigzag of metal deposition [Flores2018, figures 47 to 51]. A square grid is laid over the perimeter,
 /// and those nodes inside are used whose eight neighbours are inside too. In each row every sequence of such
 /// nodes is a pass; passes that follow each other without a second one beside them form a section. Sections
-/// are in the documented order: first those that contain the first sequences of their rows, from below, then
-/// those of the second, and so on.
+/// are in the documented order: first the sections with the first sequences of their rows, from below, then
+/// those with the second, and so on.
 ///
 /// @param perimeter  outlines in the raster frame [mm]
 /// @param distance_mm  distance of nodes

@@ -32,9 +32,9 @@ struct RowVisit {
 
 /// An order of the rows in which lines are deposited in one direction across them: each row comes after all
 /// rows of the line below that lie beside it, so that none is deposited between two earlier ones. Rows that
-/// lie above each other and beside no others form chains, which are deposited to and fro. After a chain the
-/// nearest one follows for which all rows below are deposited. Time is linear in the rows if each line has
-/// few, and quadratic in the rows of a line and in the chains.
+/// lie above each other and beside no others form chains, which are deposited to and fro. The next chain is
+/// the nearest one whose rows below are all deposited. Time is linear in the rows if each line has few, and
+/// quadratic in the rows of a line and in the chains.
 ///
 /// @param rows  line by line from below
 /// @param from  position from which the nozzle comes [mm, raster frame]

@@ -39,7 +39,7 @@ class PerimeterApproach {
   HybridSettings settings_;
   double spacing_;
   std::vector<Point2> points_;    ///< points of the perimeter, sorted by x
-  std::vector<Polygon> inwards_;  ///< the perimeter offset inwards by that distance
+  std::vector<Polygon> inwards_;  ///< the perimeter offset inwards by the least distance
 };
 
 /// Moves both ends of each pass to their distance from the perimeter [Flores2018, figures 55 to 59]. With the

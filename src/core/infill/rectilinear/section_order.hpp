@@ -32,10 +32,11 @@ using SectionTour = std::vector<SectionVisit>;
 
 Point2 entryPoint(const BoustrophedonCell& section, SectionEntry entry);
 
-/// The end at which a section is left after entering at `entry`. Entering there traverses it in reverse.
+/// The end at which a section is left after entering at `entry`. Entering at the returned end traverses the
+/// section in reverse.
 SectionEntry exitOf(const BoustrophedonCell& section, SectionEntry entry);
 
-/// Length of the jumps between sections [mm], without the way to the first one.
+/// Length of the travels between sections [mm], without the travel to the first one.
 double travelLength(const std::vector<BoustrophedonCell>& sections, const SectionTour& tour);
 
 /// The sections as given, each entered at the left end of its first line.
@@ -49,9 +50,9 @@ SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections);
 /// Greedy tour by ends: from `start` on, it always continues at the nearest end of a first or last line.
 SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
-/// `tourByEnds`, improved as long as a move shortens the way from `start`: reversing a stretch (2-opt) or
+/// `tourByEnds`, improved as long as a move shortens the travel from `start`: reversing a stretch (2-opt) or
 /// moving a section (or-opt), both within a window of 64 places, or entering a section at another end. Never
-/// longer than `tourByEnds`, the way to the first section included.
+/// longer than `tourByEnds`, the travel to the first section included.
 SectionTour improvedTour(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 /// The shortest tour from `start`, by dynamic programming over subsets.
@@ -60,7 +61,7 @@ SectionTour shortestTour(const std::vector<BoustrophedonCell>& sections, const P
 
 SectionTour tourOf(const std::vector<BoustrophedonCell>& sections, const Point2& start, SectionOrder order);
 
-/// Travel of each of the orders, for comparison in reports [mm], without the way to the first section.
+/// Travel of each of the orders, for comparison in reports [mm], without the travel to the first section.
 struct SectionTravels {
   double as_given = 0.0;
   double midpoints = 0.0;

@@ -46,8 +46,8 @@ struct VariableWidthLines {
 };
 
 /// The bead that fills the variable-width line around the raster segment that begins at `left`: in the middle
-/// of the material, and as wide as it is. It runs from left to right, in the raster frame; a single point if
-/// there is no room for more.
+/// of the material, and as wide as the material. It runs from left to right, in the raster frame; a single
+/// point if there is no room for more.
 FillPath passThrough(const VariableWidthLines& lines, std::uint32_t left, const PassEndShape& left_end,
                      const PassEndShape& right_end);
 

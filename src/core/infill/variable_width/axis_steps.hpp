@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The point at share `t` of the way between two points of an axis, with its radius interpolated too.
+/// The point at share `t` of the distance between two points of an axis, with the radius interpolated too.
 AxisPoint between(const AxisPoint& from, const AxisPoint& to, double t);
 
 /// The axis with additional points, so that the radius changes by at most `step_mm` from one to the next.

@@ -25,8 +25,9 @@ struct MedialBeadSettings {
 /// @throws InvalidInput if the pitch is not positive
 std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettings& settings);
 
-/// Closed runs around each connected axis, T / 2 wide on each side of it, however thick the region: one run
-/// around the outside, and one more for each hole that the axis encloses. Counter-clockwise around the axis.
+/// Closed runs around each connected axis, T / 2 wide on each side of the axis, however thick the region: one
+/// run around the outside, and one more for each hole that the axis encloses. Counter-clockwise around the
+/// axis.
 /// @throws InvalidInput if the pitch is not positive
 std::vector<FillPath> medialLoops(const Regions& regions, const MedialBeadSettings& settings);
 

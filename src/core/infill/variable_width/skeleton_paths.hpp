@@ -16,7 +16,7 @@ enum class SkeletonPathEnd {
 
 /// A sequence of branches of an axis that continue each other straight on.
 struct SkeletonPath {
-  /// Of a closed path without the first point again; a single one if the axis is a point.
+  /// A closed path does not repeat the first point; a single point if the axis is a point.
   std::vector<AxisPoint> points;
   bool is_closed = false;
   SkeletonPathEnd start = SkeletonPathEnd::Tip;

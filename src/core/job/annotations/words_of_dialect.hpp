@@ -11,8 +11,8 @@ namespace lamina {
 /// Whether programs in `program.dialect` can set the pressure advance.
 bool hasWordForAdvance(const JobSettings& settings);
 
-/// Refuses what the firmware of a G-code program would pass over, or stop at. Outputs of other formats have
-/// no dialect.
+/// Refuses settings that the firmware of a G-code program would ignore or stop at. Outputs of other formats
+/// have no dialect.
 /// @throws InvalidConfig naming the setting, its value and the dialect
 void requireWordsOfDialect(const std::string& output, const JobSettings& settings);
 

@@ -15,19 +15,19 @@ namespace lamina {
 /// Index of the mode that `auto` takes; nothing if all candidates are refused. It is the first one that
 /// leaves little enough unsupported and takes at most `longest_time` times as long as the quickest candidate
 /// so far; candidates after it need not be tried. If there is no such candidate, only those count that take
-/// at most `longest_time` times as long as the quickest of all. Among them, those that leave as little as the
-/// best, or alike, are compared by the number of steps, then by time, then by order. Refused candidates never
-/// count.
+/// at most `longest_time` times as long as the quickest of all. Among them, those that leave as little
+/// unsupported as the best, within `alike_percent`, are compared by the number of steps, then by time, then
+/// by order. Refused candidates never count.
 /// @param candidates  the simplest first
 std::optional<std::size_t> chosenMode(const std::vector<ModeCandidate>& candidates,
                                       const AutomaticSettings& settings);
 
-/// Whether the last candidate is good enough beside those before it, so that no further one has to be tried.
+/// Whether the last candidate is good enough compared with the earlier ones: no further mode has to be tried.
 bool isLastGoodEnough(const std::vector<ModeCandidate>& candidates, const AutomaticSettings& settings);
 
 /// Whether a candidate can never be chosen, whatever else is tried: it is refused, or another candidate is no
 /// worse in unsupported surface, steps and time, and is preferred between equals.
-/// @param candidates  of which none was tried after one that is good enough
+/// @param candidates  none was tried after one that is good enough
 bool isOutdone(const std::vector<ModeCandidate>& candidates, std::size_t which);
 
 /// Why the candidate with index `chosen` was chosen, with the numbers: a sentence without full stop.

@@ -18,7 +18,7 @@ namespace lamina {
 struct ModeTrial {
   ModeCandidate candidate;
   std::optional<PlannedPart> planned;  ///< with its support; nothing if the mode refuses the part
-  std::exception_ptr refused_by;       ///< the error whose message the candidate's refusal is
+  std::exception_ptr refused_by;       ///< error whose message is the candidate's refusal
   Mesh in_the_way;                     ///< region of the error if it is an Unsliceable
 };
 
@@ -35,10 +35,10 @@ UnsupportedSurface unsupportedInPlanes(const Mesh& mesh, const JobSettings& sett
 /// The job with the mode replaced, and the overhang that all modes are compared at.
 SliceJob jobBy(const std::string& mode, SliceJob job);
 
-/// Adds what the job has left out for its mode to the notes on the plan.
+/// Adds notes to the plan on what the job has left out for its mode.
 void addNotesOf(const SliceJob& job, PlannedPart& planned);
 
-/// Slices by a named mode. An Unsliceable is thrown on with the mesh of the part, on which its region is
+/// Slices by a named mode. An Unsliceable is rethrown with the mesh of the part, on which the region is
 /// shown.
 /// @throws as `PlanFunction`
 PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,

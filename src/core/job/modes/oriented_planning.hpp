@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Plans a part by its mode, which `auto` chooses first, and then orients the nozzle as the settings say.
+/// Plans a part by its mode, or the one that `auto` chooses, and then orients the nozzle as the settings say.
 /// Notes go to the summary.
 /// @throws as `planByMode`; InvalidInput if the nozzle would be held too far off the layers' normal
 Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,

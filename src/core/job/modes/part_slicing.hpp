@@ -33,7 +33,7 @@ struct PartOnBed {
 PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& space);
 
 /// Makes the toolpath from a part that was read: places, slices and plans it, and checks it against the build
-/// space. Of the times in the summary only that of slicing is set.
+/// space. Of the times in the summary only the slicing time is set.
 /// @throws as `runSliceJob`
 SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress,
                        const std::vector<ModeCandidate>& refused = {});

@@ -28,8 +28,8 @@ bool asksForSupports(const ModifiedLayers& modified);
 
 /// Cuts negative modifiers out of the layers of a part, and finds the areas of the others. Where several
 /// overlap, the settings of all hold; if two set the same key, or one blocks and one enforces supports, the
-/// last one wins. Of those that seams are put in, all hold. A modifier is cut by the planes at the middles of
-/// the layers. Without `part.modifiers` the layers are returned unchanged.
+/// last one wins. Areas for seams are united. A modifier is cut by the planes at the middles of the layers.
+/// Without `part.modifiers` the layers are returned unchanged.
 /// @param source  the part that was cut into these layers
 /// @throws InvalidConfig, InvalidMesh, FileError naming the modifier: also if it encloses nothing or is not
 ///   sound; Cancelled

@@ -12,8 +12,8 @@ namespace lamina {
 /// Whether the settings scale a part before it is sliced.
 bool changesSize(const CompensationSettings& settings);
 
-/// The part scaled so that it has its nominal size after it has shrunk, about the middle of its underside,
-/// along the axes of the layers' frame.
+/// The part scaled to have its nominal size after shrinking: about the middle of its underside, along the
+/// axes of the layers' frame.
 SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings);
 
 /// A sentence on the sizes [mm] as drawn and as deposited.

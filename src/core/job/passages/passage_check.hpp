@@ -9,10 +9,11 @@
 
 namespace lamina {
 
-/// Checks the ways to and from the part, and between the files, of an arm's program as it would be written to
-/// a file; not if `clearance.need` is `never`.
-/// @return their time [s]; 0 of a program that is not read back, as with a tool other than the arm's
-/// @throws Unreachable if a way is not free, with what to try
+/// Checks the passages of an arm's program as it would be written: to and from the part, and between its
+/// files. Nothing is checked if `clearance.need` is `never`.
+/// @return time of the passages [s]; 0 for a program that is not read back, as with a tool other than the
+///   arm's
+/// @throws Unreachable if a passage is not free, with what to try
 double clearPassageTime(const std::string& output, const PlacedToolpath& placed,
                         const ProgramSettings& program, const JobSettings& settings);
 

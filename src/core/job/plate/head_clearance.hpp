@@ -23,9 +23,9 @@ std::vector<std::size_t> partOrder(const std::vector<StandingPart>& parts);
 
 /// Refuses an order in which a body of the head could touch a finished part. The bounding boxes of the
 /// bodies, swept by all tips over the box of the part being printed and what lies beside it, are compared
-/// with the boxes of the parts before. While a tool with an offset works, the head is that much beside its
-/// nozzle. Conservative: an order that passes has no collision, but one that is
-/// refused may have none either.
+/// with the boxes of the parts before. While a tool with an offset works, the head is displaced from the
+/// nozzle by this offset. Conservative: an order that passes has no collision, but one that is refused may
+/// have none either.
 /// @param margin_mm  by which tips go beyond the box of the part being printed, and beads beyond the box of a
 ///   finished one
 /// @throws Unreachable naming both parts and the body's link

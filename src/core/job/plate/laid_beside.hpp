@@ -17,8 +17,8 @@ double reachBeside(const JobSettings& settings);
 /// @param bed   where the nozzle may be, in the mesh's frame: brims end there, and rafts do not
 Regions laidBeside(const Mesh& mesh, const JobSettings& settings, const Box2& bed, Progress& progress);
 
-/// How much of that reach may lie beyond the bed's edge: brims are cut off there. A skirt goes round all of
-/// it.
+/// How much of `reachBeside` may lie beyond the bed's edge [mm]: all of it for a brim, which is cut off
+/// there; 0 for a raft. A skirt goes round the whole reach.
 double cutAtEdge(const JobSettings& settings);
 
 }  // namespace lamina

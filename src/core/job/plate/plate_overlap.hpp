@@ -17,7 +17,8 @@ struct StandingPart {
   const Mesh* mesh = nullptr;  ///< its middle over the origin, its bottom at z = 0
   Box3 box;                    ///< of the mesh
   Point2 at = Point2::Zero();  ///< position of the mesh's origin [bed frame]
-  /// Offsets of the nozzles that print it from that of the first tool [bed frame]; empty: the first alone.
+  /// Offsets from the first tool's nozzle of the nozzles that print it [bed frame]; empty: the first nozzle
+  /// alone.
   std::vector<Point3> nozzles_mm = {};
   Regions beside = {};  ///< what is laid on the bed beside it, such as a brim, round the mesh's origin
 

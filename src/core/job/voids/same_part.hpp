@@ -10,20 +10,22 @@
 
 namespace lamina {
 
-/// Checks by the bounding boxes of layers that a program lays a part: they may differ by three of a layer's
-/// widest beads.
+/// Checks by the bounding boxes of layers that a program deposits a part: boxes may differ by three widths of
+/// a layer's widest bead.
 /// @param sections  of the part in the program's layers, anywhere in the plane
 /// @param part      its name for the message
-/// @throws InvalidInput if those of most layers differ
+/// @throws InvalidInput if the boxes of most layers differ
 void requireSameSize(const Toolpath& program, const std::vector<Regions>& sections, const std::string& part);
 
-/// Checks by what lies within their boxes, on some of the layers, that a program lays a part. A layer is of
-/// another part if beads of the part lie farther than 1.5 of its widest beads outside the section, or if its
-/// outer walls leave a hole without beads, wider than three of these, where the section has material. A
-/// program without outer walls is checked by its beads alone; layers of drops are not checked.
-/// @param sections  of the part, where the program lays them
+/// Checks by what lies within the boxes, on some of the layers, that a program deposits a part. A layer is of
+/// another part if beads of the part lie outside the section by more than 1.5 widths of the layer's widest
+/// bead, or if its outer walls leave a hole without beads, wider than three such widths, where the section
+/// has material. A program without outer walls is checked by its beads alone; layers of drops are not
+/// checked.
+/// @param sections  of the part, where the program deposits them
 /// @returns what the first layer of another section has, and where; empty if there is none
-/// @throws InvalidInput if most of the layers are, or two that were compared one after the other
+/// @throws InvalidInput if most of the layers are of another part, or two that were compared one after the
+///   other
 std::string requireSameSections(const Toolpath& program, const std::vector<Regions>& sections,
                                 const std::string& part);
 

@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// A straight bead along the front or left edge of the bed, a bead's width inside it, from the corner of
-/// both.
+/// A straight bead along the front or left edge of the bed. It starts at the corner, one bead width inside
+/// both edges.
 /// @param layer     the lowest one
 /// @param bed       where the nozzle may be [mm]
 /// @param occupied  area of everything else in that layer
-/// @throws InvalidConfig if the bed is shorter than the line, or the line crosses that area
+/// @throws InvalidConfig if the bed is shorter than the line, or the line crosses `occupied`
 AidRuns makePrimeLine(const PrimeSettings& settings, const LayerBounds& layer, const Box2& bed,
                       const Regions& occupied);
 

@@ -17,13 +17,13 @@ struct RaftLayer {
   LayerAids aids;
 };
 
-/// The area of a raft: that of what stands on it, with gaps narrower than 10 mm closed, and its margin.
+/// The area of a raft: the area standing on it, with gaps narrower than 10 mm closed, grown by the margin.
 Regions raftArea(const Regions& standing, const RaftSettings& settings);
 
 /// Layers of lines, each across the one below: a base and middle layers of lines two pitches apart, then
-/// solid top layers. The uppermost one ends `raft.gap_mm` below the part.
+/// solid top layers. The uppermost layer ends `raft.gap_mm` below the part.
 /// @param part_mm          height at which the part begins [frame of the layers]
-/// @param layer_height_mm  of all but the base
+/// @param layer_height_mm  of all layers but the base
 /// @return from the bed up
 std::vector<RaftLayer> makeRaft(const Regions& area, const PlanSettings& settings, double part_mm,
                                 double layer_height_mm);

@@ -27,7 +27,7 @@ struct ThreadLayout {
 std::vector<FillPath> bridgeThreads(const Region& piece, const Regions& below, const Regions& inside,
                                     const ThreadLayout& layout);
 
-/// The area that threads in that direction cover: the piece, extended by the anchor within the walls.
+/// The area that the threads cover: the piece, extended by the anchor within the walls.
 Regions coveredByThreads(const Region& piece, const Regions& inside, const ThreadLayout& layout);
 
 }  // namespace lamina

@@ -19,7 +19,7 @@ namespace lamina {
 /// one below costs nothing.
 class LayerBelow {
  public:
-  /// Makes a support of everything, as on the bed, and without `bridges.use` and `overhangs.use`.
+  /// Everything is supported, as on the bed, or if neither `bridges.use` nor `overhangs.use` is set.
   LayerBelow() = default;
   /// @param cover     null if everything is supported
   /// @param settings  must outlive this

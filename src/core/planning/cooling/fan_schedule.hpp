@@ -27,8 +27,8 @@ struct FanChange {
 /// A layer as the fan takes it.
 struct FanLayer {
   std::size_t index = 0;     ///< in the toolpath
-  std::size_t from_bed = 0;  ///< number from 0, of its part where parts are printed one after the other
-  double share = 0.0;        ///< where no role has another one
+  std::size_t from_bed = 0;  ///< layer number from 0; in each part if parts are printed one after the other
+  double share = 0.0;        ///< of roles without a share of their own
 };
 
 /// Finds the changes of the fan's share by 1/255 or more.
@@ -38,8 +38,8 @@ class FanSchedule {
   explicit FanSchedule(const FanSettings& settings) : settings_(settings), by_role_(roleSharesOf(settings)) {}
 
   /// Adds the changes of the next layer: at its start, at roles with shares of their own, and before and
-  /// after unsupported stretches. Stretches, and gaps between them, that are shorter than 2 mm are ignored,
-  /// since no fan follows them.
+  /// after unsupported stretches. Stretches shorter than 2 mm, and gaps shorter than 2 mm between stretches,
+  /// are ignored: no fan reacts that fast.
   void add(const std::vector<Path>& paths, const FanLayer& layer);
 
   bool isOn() const { return steps_ != 0; }

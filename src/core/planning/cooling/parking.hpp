@@ -18,8 +18,8 @@ struct ParkingGround {
   /// Greatest height along `up` of the deposition up to and including the layer [mm]. Other parts of a plate
   /// may be higher than the nozzle.
   double highest_mm = -std::numeric_limits<double>::infinity();
-  /// Speed of the layer's travels [mm/s]: without any, of those of the layer before, or else of the first
-  /// layer that has some, or else of its last path.
+  /// Speed of the layer's travels [mm/s]. In a layer without travels it is that of the layer before, else of
+  /// the first layer with travels, else of the layer's last path.
   double travel_mm_s = 0.0;
 };
 
@@ -30,20 +30,20 @@ std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 /// @param box  bounding box of the part
 Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
 
-/// The path to the parking place and back: retracted, up, across, and back the same way. Its only event is a
-/// dwell of zero time before the way back. If the tool axis leans from the layers' normal, it is not known
-/// whether there is room beside the part. Then the nozzle waits above the bead instead, moved out along its
-/// axis by 5 mm, or by `cooling.lift_mm` if that is more.
-/// @param at        path at one end of which the nozzle is; tool and orientation are taken from it
+/// The path to the parking place and back: retracted, up, across, and back along the same line. Its only
+/// event is a dwell of zero time at the parking place. If the tool axis leans from the layers' normal, it is
+/// not known whether there is room beside the part. The nozzle then waits above the bead, backed off along
+/// the tool axis by 5 mm or `cooling.lift_mm`, whichever is more.
+/// @param at        path with the nozzle at one end; gives tool and orientation
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings);
 
-/// Leads a wait on to where the next bead begins, at the height of the wait and down there, in place of the
-/// way back and of the travels that followed it, which are taken away. Its dwell changes so that the next
-/// bead begins when it did. Where the tool axis leans, or changes, the wait is not as high as the next bead,
-/// or the travels change tools or carry events, the way stays; it is retracted then, so that the material is
-/// pushed forth again where the next bead begins.
+/// Continues a wait directly to the start of the next bead: across at the height of the wait, then down. The
+/// return to the bead and the travels after it are removed. The dwell is adjusted so that the next bead
+/// begins at the same time as before. Nothing is moved if the tool axis leans or changes, if the wait is
+/// lower than the next bead, or if the travels change tools or carry events. The travels are then marked as
+/// retracted: the retraction ends where the next bead begins.
 /// @param wait    of `parkedWait`
 /// @param way     travels from the end of the wait to the next bead; without any, nothing changes
 /// @param next    the next bead's path

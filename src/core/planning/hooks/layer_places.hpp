@@ -21,8 +21,8 @@ class LayerPlaces {
   /// @throws InvalidConfig if there is none
   std::size_t layer(std::size_t number, const std::string& what) const;
 
-  /// Indices of the first layer of each part that deposits and begins at or above this height over the bed:
-  /// one, or one for each part that is high enough where parts are deposited one after the other.
+  /// Index of the first layer that deposits and begins at or above this height over the bed. If parts are
+  /// deposited one after the other, one index for each part that is high enough.
   /// @throws InvalidConfig if there is none
   std::vector<std::size_t> above(double height_mm, const std::string& what) const;
 

@@ -14,7 +14,7 @@ namespace lamina {
 std::vector<double> crossings(const Point2& from, const Point2& to, const std::vector<Polygon>& borders);
 
 /// The pieces of a run that lie in the regions. A closed run that lies in them as a whole stays closed; any
-/// other is not cut at its start. Pieces shorter than 1e-3 mm are left out.
+/// other closed run is not cut at its start. Pieces shorter than 1e-3 mm are left out.
 std::vector<FillPath> clipped(const FillPath& run, const Regions& area);
 
 /// The pieces of several runs, in their order.

@@ -15,13 +15,13 @@ namespace lamina {
 ///
 /// A loop is opened at the place nearest to the nozzle, and its last nine tenths of a pitch are left out. If
 /// the layer below ended within a pitch of that place, seen along the tool axis, and at most two layers
-/// lower, a bead rises from there to the start as the first motion of the path, unless it would begin outside
-/// the section of its layer by more than a twentieth of its width. With one such loop per layer
-/// the part is one path without travel. Elsewhere, and between the runs of a layer, there are travels.
+/// lower, the path begins with a bead that rises from that end to the start. There is no such bead if it
+/// would begin more than a twentieth of its width outside the section of its layer. With one such loop per
+/// layer the part is one path without travel. Elsewhere, and between the runs of a layer, there are travels.
 ///
-/// The direction of a loop is chosen so that it ends in the section above, and near its loop. Loops shorter
-/// than two pitches stay closed. Travels between layers are not made here. Distances are measured in space,
-/// so that layers need not be level.
+/// The direction of a loop is chosen so that the loop ends within the section of the layer above, and near
+/// that layer's loop. Loops shorter than two pitches stay closed. Travels between layers are not made here.
+/// Distances are measured in space, so that layers need not be level.
 /// @param sections  of the layers, where they lie; empty for lifted ones, which are not looked at
 /// @param anchor    place where the first layer starts [mm]
 /// @param travel    makes the travels between the runs of a layer

@@ -20,11 +20,11 @@ Point2 distanceFromOrigin(const Regions& regions);
 struct StackStretch {
   std::size_t begin = 0;
   std::size_t end = 0;
-  Point2 away = Point2::Zero();  ///< that distance, of `distanceFromOrigin` [mm]
+  Point2 away = Point2::Zero();  ///< result of `distanceFromOrigin` [mm]
 };
 
-/// Divides a stack into such stretches. An empty layer belongs to the stretch of the layer before,
-/// the first ones to that of the first layer that is not.
+/// Divides a stack into such stretches. An empty layer belongs to the stretch of the layer before; empty
+/// layers at the bottom belong to the first stretch.
 std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers);
 
 /// A layer, or regions, moved in their plane [mm].

@@ -29,12 +29,12 @@ struct OrderedRun {
 /// @param from  place from which the nozzle comes [mm]
 std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from);
 
-/// The same with the travel from the last run to where the nozzle goes on.
-/// @param to  that place [mm]; none if it does not matter
+/// The same, with the travel from the last run to `to` counted too.
+/// @param to  place to which the nozzle goes on [mm]; none if it does not matter
 std::vector<OrderedRun> orderRuns(const std::vector<RunEnds>& runs, const Point2& from,
                                   const std::optional<Point2>& to);
 
-/// Length of the travels of an order [mm], including the one to its first run.
+/// Length of the travels of an order [mm], including the travel to the first run.
 double travelLength(const std::vector<RunEnds>& runs, const std::vector<OrderedRun>& order,
                     const Point2& from);
 

@@ -15,8 +15,8 @@ namespace lamina {
 /// bed, the layer before or a support.
 struct FloatingIslands {
   std::size_t count = 0;
-  std::size_t first_layer = 0;       ///< where the first of them lies
-  Point3 first_mm = Point3::Zero();  ///< where a run of it begins, in the frame of the layers
+  std::size_t first_layer = 0;       ///< layer of the first island
+  Point3 first_mm = Point3::Zero();  ///< start of a run of the first island, in the frame of the layers
 };
 
 /// Inclined layers and their plan.
@@ -26,7 +26,7 @@ struct PlannedStack {
   const StartsInAir& starts;                   ///< of it
 };
 
-/// None of level layers, whose islands are the affair of supports. An island without beads neither floats nor
+/// Level layers have none: their islands are left to supports. An island without beads neither floats nor
 /// carries.
 FloatingIslands floatingIslands(const PlannedStack& stack);
 

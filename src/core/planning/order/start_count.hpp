@@ -14,7 +14,7 @@ namespace lamina {
 std::size_t regionsWithRoom(const Regions& regions, double width_mm);
 
 /// The starts and travels of the runs that fill an area.
-/// @param deposited  ends of the runs in the order of laying
+/// @param deposited  ends of the runs in the order of deposition
 FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& deposited, double pitch_mm);
 
 }  // namespace lamina

@@ -21,21 +21,21 @@ struct CarriedLayers {
   double bead_width_mm = 0.0;
 };
 
-/// Of each layer, where runs begin in the air [mm].
+/// Places where runs begin in the air, by layer [mm].
 using StartsInAir = std::vector<std::vector<Point2>>;
 
-/// Runs of beads that begin with neither bed, support nor the layer before below them. A run that continues
-/// where the one before ended is not among them.
+/// Runs of beads that begin with neither bed, support nor the layer before below them. Runs that continue
+/// where the run before ended are not among them.
 /// @param toolpath  the plan of the layers, in their frame
 StartsInAir startsInAir(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
 
 std::size_t countOf(const StartsInAir& starts);
 
-/// What carries the beads of a layer.
+/// The support test of a layer.
 SupportTest supportTestOf(const CarriedLayers& carried, std::size_t index);
 
 /// The gap between the bed and the lowest bead of the first layer with beads or drops of the part [mm]. Zero
-/// if the bed or a support carries any waypoint of it, and for a toolpath without the part.
+/// if the bed or a support carries any waypoint of that layer, and for a toolpath without the part.
 double gapBelowPart(const CarriedLayers& carried, const std::vector<ToolpathLayer>& toolpath);
 
 }  // namespace lamina

@@ -16,10 +16,10 @@ struct BelowLayer {
   const Regions* supports = nullptr;  ///< carried up to the layer; null for none
 };
 
-/// Whether beads of an inclined layer are supported along the tool axis, by the layer before, a support
-/// or the bed. A bead is supported where it touches the bed with its flank or its foot, or where its middle
-/// is at most a quarter of its width beyond the edge of the layer before or a support, so that a quarter of
-/// it lies on that.
+/// Whether beads of an inclined layer are supported along the tool axis, by the layer before, a support or
+/// the bed. A bead is supported where it touches the bed with its flank or its foot, or where its middle is
+/// at most a quarter of its width beyond the edge of the layer before or a support, so that at least a
+/// quarter of the bead rests on material.
 class SupportTest {
  public:
   SupportTest(const Layer& layer, const BelowLayer& below, const BedPlane& bed, const Bead& bead);

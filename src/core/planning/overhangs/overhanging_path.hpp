@@ -29,14 +29,14 @@ struct OverhangRules {
 /// @param layer  index, from 0; in every second layer loops are reversed if the settings say so
 Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& rules, std::size_t layer);
 
-/// Gives the depositing paths after the first `before` ones that feed, and the process value of beads that
-/// are unsupported as a whole.
+/// Sets the feed of the depositing paths after the first `before` paths, and marks their beads as unsupported
+/// as a whole by the process value.
 void markUnsupportedSince(std::vector<Path>& paths, std::size_t before, double feed_mm_s);
 
-/// The process value of a path; null if it has none.
+/// The process value `unsupported` of a path; null if it has none.
 const ProcessValue* unsupportedOf(const Path& path);
 
-/// Removes the process value.
+/// Removes the process value `unsupported`.
 void forgetUnsupported(Path& path);
 
 }  // namespace lamina

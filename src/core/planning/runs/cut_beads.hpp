@@ -13,9 +13,9 @@ namespace lamina {
 
 /// Waypoints at which a machine cannot run a toolpath unchanged.
 struct HinderedWaypoints {
-  std::set<WaypointIndex> shut;  ///< of beads: there is no room for the head
+  std::set<WaypointIndex> shut;  ///< of beads: the head has no room there
   std::set<WaypointIndex> off;   ///< of beads: the motion to the waypoint cannot be deposited
-  /// Of beads: on the way to the waypoint a joint turns farther than a bead allows.
+  /// Of beads: on the motion to the waypoint a joint turns farther than a bead allows.
   std::set<WaypointIndex> turning;
   std::set<WaypointIndex> low;  ///< first waypoints of travels that pass too close to deposited material
 

@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// Places at ways from the start of a path, in order, without those at its waypoints.
+/// The places at the given lengths from the start of a path, in order; those at waypoints are left out.
 std::vector<CutPlace> levelSteps(const Path& path, const std::vector<double>& ways_mm);
 
-/// States the values of channels with a dead time earlier by that time, so that what they do is in step. A
-/// motion has the value of the bead that is deposited after the dead time, of its own run or of the next.
-/// Times are those at the feeds, also of travels; a value is held over a travel that is longer. On travels
-/// nothing is stated.
+/// States the values of channels earlier by their dead times, so that their effect is in step with the
+/// motion. A motion gets the value of the bead that is deposited one dead time later, in the same run or the
+/// next. Times follow from the feeds, those of travels included. Over a travel longer than the dead time the
+/// value is held. Travels state no values.
 void leadLevels(Toolpath& toolpath, const std::vector<LevelChannel>& channels);
 
 }  // namespace lamina

@@ -73,7 +73,7 @@ struct LevelPlace {
   PathRole role = PathRole::Infill;
   std::size_t layer = 0;
   double z_mm = 0.0;
-  double corner_mm = std::numeric_limits<double>::infinity();  ///< way to the nearest corner
+  double corner_mm = std::numeric_limits<double>::infinity();  ///< along the run, to the nearest corner
   double feed_mm_s = 0.0;
   Bead bead;
   double wire_mm = 0.0;  ///< diameter

@@ -66,7 +66,7 @@ Point3 endTangent(const Path& path);
 /// @param from  the end before
 /// @param to    the end afterwards
 void shiftEnd(Path& travel, const NozzlePose& from, const NozzlePose& to);
-/// Moves the start of a travel in the way of `shiftEnd`.
+/// Moves the start of a travel, as `shiftEnd` moves the end.
 void shiftStart(Path& travel, const NozzlePose& from, const NozzlePose& to);
 
 }  // namespace lamina

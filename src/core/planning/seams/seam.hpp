@@ -19,11 +19,12 @@ namespace lamina {
 /// Nearest: the vertex nearest to the position from which the nozzle comes. Corner: an inward corner, which
 /// hides the seam in its shadow, else an outward one, of several the one farthest back, else the vertex
 /// farthest back. Corners turn by at least 30 deg within 0.5 mm on either side; inward is to the right along
-/// the loop, as outlines run anticlockwise and holes clockwise. Back is +y, inclined to +x, so that equal
-/// corners of a level back edge are told apart in all layers alike.
+/// the loop, as outlines run anticlockwise and holes clockwise. Back is +y, slightly turned towards +x: of
+/// equal corners on a level back edge, all layers choose the same.
 ///
-/// Where areas for seams are given, loops that pass through them start within: at the vertex there that this
-/// rule chooses, or, without a vertex there, in the middle of the longest stretch within.
+/// If areas for seams are given, a loop that passes through them starts within them: at the vertex that the
+/// rule chooses among those in the areas, or, without such a vertex, in the middle of the longest stretch
+/// within.
 class Seam {
  public:
   /// @param here  areas for seams, outlives this; null for none

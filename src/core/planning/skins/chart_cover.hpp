@@ -28,13 +28,13 @@ struct PartSpace {
 struct SkinReach {
   std::size_t above = 0;  ///< layers that a skin seen from above counts
   std::size_t below = 0;  ///< the same from below
-  double bead_mm = 0.4;   ///< width of beads; places are sampled at half of that
-  double wall_mm = 0.0;   ///< thickness of the walls, below which nothing is looked up
+  double bead_mm = 0.4;   ///< width of beads; places are sampled at half this distance
+  double wall_mm = 0.0;   ///< thickness of the walls; places within the walls are not looked up
 };
 
-/// The cover of a layer on charts, in the plane of these. The layer counts as covered from above at a place
-/// if the part is still there one thickness of the layer farther along its growth (from its middle to its
-/// nozzle tips), and the next, up to the number of the reach; from below against it. Borders are true within
+/// The cover of a layer on charts, in the plane of the charts. A place is covered from above if the part is
+/// still there at 1 to `reach.above` layer thicknesses farther along the growth (from the middle of the layer
+/// to its nozzle tips); from below, at 1 to `reach.below` in the opposite direction. Borders are accurate to
 /// half a bead.
 /// @param material  the outlines of all charts, united
 LayerCover coverOnCharts(const std::vector<LayerChart>& charts, Regions material, const PartSpace& part,

@@ -22,7 +22,7 @@ class PartSides {
   bool isWithin(const Point3& place) const { return inside_.isWithin(place); }
 
   /// Whether the straight line between two places certainly meets no triangle, so that both are on the same
-  /// side. Far cheaper than a solid angle where they are near each other.
+  /// side. Far cheaper than a solid angle if the places are near each other.
   bool isClearBetween(const Point3& from, const Point3& to) const;
 
  private:
@@ -33,18 +33,18 @@ class PartSides {
   BoxTree boxes_;  ///< of the triangles
 };
 
-/// The sides of places in rows, each near the one before it in its row: most follow from that one.
+/// The sides of places in rows. Most follow from the side of the place before in the row, which is near.
 class RowSides {
  public:
   /// @param part     must outlive this
-  /// @param near_mm  between places, beyond which one says nothing about the next
+  /// @param near_mm  greatest distance at which the side of a place is derived from the place before
   RowSides(const PartSides& part, std::size_t rows, double near_mm)
       : part_(part), near_mm_(near_mm), last_(rows) {}
 
-  /// Whether the next place of a row is inside: what `PartSides::isWithin` says of it.
+  /// Whether the next place of a row is inside, as by `PartSides::isWithin`.
   bool isWithin(const Point3& place, std::size_t row);
 
-  /// Number of places whose side took a solid angle.
+  /// Number of places whose side was computed by a solid angle.
   std::size_t solidAngles() const { return solid_angles_; }
 
  private:

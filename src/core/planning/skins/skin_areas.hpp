@@ -13,14 +13,14 @@ struct SkinMeasures {
   double narrowest_mm = 0.0;      ///< narrower places are no skin
   double anchor_mm = 0.0;         ///< by which a skin extends into the infill
   double least_infill_mm2 = 0.0;  ///< smaller areas of infill become skin
-  double thinnest_mm = 0.0;       ///< places narrower than a skin, but not than this, get a bead; 0: none
-  double bead_mm = 0.0;           ///< the area of such a bead is wider than the visible one by half of this
+  double thinnest_mm = 0.0;  ///< places narrower than a skin, but at least this wide, get a bead; 0: none do
+  double bead_mm = 0.0;      ///< the area of such a bead extends beyond the visible area by half of this
 };
 
 /// Thickness of the walls: distance from the outline to the area inside them [mm].
 double wallThickness(const PlanSettings& settings, double pitch_mm);
 
-/// The measures by the settings, for that pitch of neighbouring beads.
+/// The measures by the settings, for the given pitch of neighbouring beads.
 SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm);
 
 /// An area within walls, divided into parts that do not overlap and together are the area.
@@ -36,7 +36,7 @@ struct SkinAreas {
 /// @param inside  area within the walls of one layer
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures);
 
-/// Whether any region is smaller than that.
+/// Whether any region has less than this area.
 bool hasSmall(const Regions& regions, double least_mm2);
 
 }  // namespace lamina

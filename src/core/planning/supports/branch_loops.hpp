@@ -22,8 +22,8 @@ struct BranchLoops {
 BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const PlanSettings& settings,
                         Progress& progress);
 
-/// Totals of a tree: area of overhangs, that of overhangs farther than `supports.tip_spacing_mm` from any
-/// supported tip, and the greatest area of branches in a layer.
+/// Totals of a tree: area of all overhangs, area of the overhangs farther than `supports.tip_spacing_mm` from
+/// any supported tip, and the greatest area of branches in a layer.
 SupportTotals branchTotals(const std::vector<Regions>& overhangs, const SupportTree& tree,
                            const BranchLoops& loops, const SupportSettings& settings);
 

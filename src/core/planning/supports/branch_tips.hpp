@@ -18,7 +18,7 @@ struct BranchTip {
 };
 
 /// Tips spread over the overhangs, along their rims first. Every place of an overhang is within
-/// `supports.tip_spacing_mm` of a tip, except where it is too near to the part for one. Below ledges
+/// `supports.tip_spacing_mm` of a tip, except places too near to the part for a tip. Below ledges
 /// (`ledgesIn`) tips follow the wall of each layer at the distance `ledgeGap`.
 /// @param overhangs  of each layer
 std::vector<BranchTip> branchTips(const StackedMaterial& stack, const std::vector<Regions>& overhangs,

@@ -13,7 +13,7 @@ namespace lamina {
 /// Whether the runs hold up the part.
 bool isSupport(const AidRuns& aids);
 
-/// By what the supports of a stack are laid.
+/// Settings for depositing the supports of a stack, and the start.
 struct SupportLaying {
   const PlanSettings& settings;
   const PlanSettings& on_bed;    ///< of the first layer
@@ -21,11 +21,12 @@ struct SupportLaying {
   Point2 from = Point2::Zero();  ///< where the nozzle begins the first layer [mm]
 };
 
-/// Lays the supports of each layer before its islands and behind its other aids, those of lower sections
-/// first. Only once all islands are planned is known from where the nozzle comes and where it goes on: runs
-/// are ordered by both, and loops begin where the way from the run before to the next one is shortest.
+/// Deposits the supports of each layer after its other aids and before its islands, lower sections first. To
+/// be called once all islands are planned, as only then the places are known from which the nozzle comes and
+/// to which it goes on. Runs are ordered by both places. A loop begins where the travels from the run before
+/// and to the next run are shortest.
 /// @param layers  without supports; joined within, but not to each other
-/// @param aids    of each layer; only supports are laid
+/// @param aids    of each layer; only supports are deposited
 void laySupports(std::vector<ToolpathLayer>& layers, const std::vector<LayerAids>& aids,
                  const SupportLaying& laying);
 

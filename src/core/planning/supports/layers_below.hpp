@@ -11,16 +11,17 @@
 
 namespace lamina {
 
-/// Height of the layer in the middle of the list [mm], which must not be empty.
+/// Height of the layer in the middle of a list that is not empty [mm].
 double heightAmid(const std::vector<Layer>& layers);
 
 /// Number of layers between the first layer of an inclined part and the lowest point at which supports,
-/// extended from the part along gravity, meet the bed. Zero if the first layer is there, and without layers.
+/// extended from the part along gravity, meet the bed. Zero if the first layer lies at that point, and
+/// without layers.
 /// @param layers  of the part, in their frame
 std::size_t countLayersBelow(const std::vector<Layer>& layers, const BedPlane& bed,
                              const SupportSettings& settings);
 
-/// The layers, preceded by that number of empty ones with the height `heightAmid`.
+/// The layers, preceded by `count` empty layers of height `heightAmid`.
 std::vector<Layer> withLayersBelow(const std::vector<Layer>& layers, std::size_t count);
 
 }  // namespace lamina

@@ -20,8 +20,8 @@ double ledgeGap(const SupportSettings& settings);
 /// Greatest widening of a column from layer to layer on each side, at which half a bead is unsupported.
 double ledgeStep(const WallBeads& walls);
 
-/// Walls that hang over nothing: beads of which more than three quarters lie beyond the layer below, on
-/// stretches longer than three of their widths.
+/// Walls over nothing: beads with more than three quarters of their width beyond the layer below, on
+/// stretches longer than three bead widths.
 /// @param overhang  of the layer, as far as it is supported
 /// @param layer     whole area of the layer
 /// @return empty without walls
@@ -33,9 +33,9 @@ Regions hangingWalls(const Regions& overhang, const Regions& layer, const WallBe
 /// @param below    area of the part next to the end of the supports
 Regions nearPart(const Regions& hanging, const Regions& below, double distance_mm, const WallBeads& walls);
 
-/// Ledges: places where walls overhang within the side gap, out of reach of a column that keeps it. They are
-/// beads of which more than three quarters lie beyond the part, on stretches longer than three of their
-/// widths, and the area round them that a column needs to be as wide as a bead beyond the gap.
+/// Ledges: places where walls overhang within the side gap, out of reach of a column that keeps this gap. A
+/// ledge consists of beads with more than three quarters of their width beyond the part, on a stretch longer
+/// than three bead widths, and of the area round them that makes a column one bead wide beyond the gap.
 /// @param overhang  of the layer, as far as it is supported
 /// @param layer     whole area of the layer
 /// @param below     area of the part beside the end of the columns

@@ -26,8 +26,8 @@ struct HoldingBridges {
   double longest_mm = 0.0;  ///< longer free spans need support; 0 for no limit
 };
 
-/// The pieces of an overhang that bridges span, whose threads are held at both ends over most of their
-/// length.
+/// The pieces of an overhang that bridges span: threads held at both ends make up at least `least_held` of
+/// the length of all threads in the piece.
 Regions heldByBridges(const Regions& overhang, const Regions& below, const HoldingBridges& bridges);
 
 /// The area that needs support in each layer: overhangs beyond `supports.angle_deg`, and a disc of

@@ -7,12 +7,14 @@
 namespace lamina {
 
 // Operations on regions, piece by piece: a piece whose outlines meet no others is kept or left out unchanged,
-// and only the rest is clipped. Areas equal those of the whole operations; clipped pieces come last.
+// and only the rest is clipped. Areas equal those of the operations on all regions at once; clipped pieces
+// come last.
 
 /// `regions` without `subtracted`.
 Regions differenceByPieces(const Regions& regions, const Regions& subtracted);
 
-/// The regions grown by a distance, at least as with round corners and at most as with mitred ones.
+/// The regions grown by a distance, to at least the area with round corners and at most the area with mitred
+/// ones.
 Regions grownByPieces(const Regions& regions, double distance_mm);
 
 /// Whether a disc of that radius certainly fits into a region. False if finding out would take a longer
@@ -21,7 +23,8 @@ bool surelyHasRoom(const Region& region, double radius_mm);
 
 /// Regions divided by their distance from each other.
 struct NeighbouringRegions {
-  /// Those whose bounding box is within the distance of another one's, or that have a hole no wider than it.
+  /// Regions whose bounding box is within the distance of another region's box, or with a hole no wider than
+  /// the distance.
   Regions near;
   Regions alone;  ///< all others
 };

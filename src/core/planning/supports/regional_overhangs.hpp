@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Regions of a part with their own settings of supports, and marks.
+/// Regions of a part with their own settings of supports, and marks that force or forbid supports.
 struct SupportRegions {
   const std::vector<PlanVariant>* variants = nullptr;  ///< null for none
   const SupportMarks* marks = nullptr;                 ///< null for none

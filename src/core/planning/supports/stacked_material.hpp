@@ -48,10 +48,10 @@ Regions within(const Regions& regions, const Box2& box, double reach_mm);
 /// The bounding box of all outlines.
 Box2 boxOf(const Regions& regions);
 
-/// The regions without those that are narrower than that everywhere.
+/// The regions without those that are narrower than `narrowest_mm` everywhere.
 Regions withoutNarrowPieces(Regions regions, double narrowest_mm);
 
-/// The regions without all places narrower than that.
+/// The regions without places narrower than `narrowest_mm`.
 Regions withoutNarrow(const Regions& regions, double narrowest_mm);
 
 }  // namespace lamina

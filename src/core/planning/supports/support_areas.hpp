@@ -40,11 +40,11 @@ struct ColumnTop {
     double top_mm = 0.0;
   };
   std::size_t full_layers = 0;  ///< number, from the bed up, of layers as high as those of the part
-  std::vector<Cap> caps;        ///< up to two lower layers on them, at least half as high except on the bed
+  std::vector<Cap> caps;  ///< up to two lower layers on top, at least half a layer high except on the bed
 };
 
-/// The top of columns below a layer for exactly that gap. The rest of the layer in which they end is a lower
-/// layer of support; if it is less than half a layer, it is shared out with the layer below.
+/// The top of columns that leaves exactly the gap below a layer. The rest of the layer in which they end is a
+/// lower layer of support; if it is less than half a layer, it is shared out with the layer below.
 /// @return none if there is no room for support
 std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, std::size_t layer,
                                         double gap_mm);
@@ -55,7 +55,7 @@ struct LayerSpan {
   std::size_t end = 0;
 };
 
-/// Overhangs by layer, and the range of layers that totals are taken of.
+/// Overhangs by layer, and the range of layers over which totals are taken.
 struct CountedOverhangs {
   const std::vector<Regions>& areas;
   LayerSpan counted;

@@ -30,10 +30,10 @@ struct SupportTree {
 
 /// Grows branches from tips down to bed or part, layer by layer. A branch leans by at most
 /// `supports.branch_angle_deg`, towards its nearest neighbour if both can meet above the bed; branches that
-/// meet continue as one. It keeps `supports.side_gap_mm` from the part, or `ledgeGap` if there is no other
-/// way. It widens by `supports.branch_taper_deg` on each side with the length to its farthest tip, up to
-/// `supports.branch_mm`, as far as the part leaves room. With `supports.foot: bed` branches avoid places from
-/// which the bed cannot be reached.
+/// meet continue as one. It keeps `supports.side_gap_mm` from the part, or only `ledgeGap` if it cannot pass
+/// otherwise. It widens by `supports.branch_taper_deg` on each side with the length to its farthest tip, up
+/// to `supports.branch_mm`, as far as the part leaves room. With `supports.foot: bed` branches avoid places
+/// from which the bed cannot be reached.
 /// @param tips  those of `branchTips`
 SupportTree growBranches(const StackedMaterial& stack, std::vector<BranchTip> tips,
                          const SupportSettings& settings, Progress& progress);

@@ -20,12 +20,13 @@ struct ToolRun {
   std::size_t purging = 0;  ///< number of its first paths that purge the tool and so must stay in this run
 };
 
-/// A layer divided by tools, in the order of laying.
+/// A layer divided by tools, in the order of deposition.
 using ToolRuns = std::vector<ToolRun>;
 
-/// Makes a tool deposit infill first, which hides the remains of other material from its nozzle. It deposits
-/// its own infill, and then that of earlier runs, whose paths it takes over one by one until they hold the
-/// given volume. Runs that consist of infill alone keep theirs, and every run keeps the paths that purge it.
+/// Makes a tool deposit infill first: infill hides the remains of other material in the nozzle. Its run
+/// begins with its own infill, then with paths of infill taken over from earlier runs, one by one, until the
+/// volume is reached. Runs that consist of infill alone keep their paths, and every run keeps the paths that
+/// purge its tool.
 /// @param purged  index of the tool's run
 ToolRuns withInfillFirst(ToolRuns runs, std::size_t purged, double volume_mm3);
 

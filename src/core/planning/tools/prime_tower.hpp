@@ -26,14 +26,14 @@ struct TowerLayer {
 /// Distance from the part if the tower has no position of its own [mm].
 constexpr double kTowerBesidePart = 5.0;
 
-/// A square tower of two walls that the purges of tools fill. The first purge of a layer deposits the walls.
+/// A square tower of two walls, filled by the purges of tools. The first purge of a layer deposits the walls.
 /// In a layer without purges the walls and a few lines are deposited, so that the tower keeps up with the
 /// part.
 class PrimeTower {
  public:
   /// @param layers  all layers; those above the last purge are not deposited
   /// @param part    box of the deposition, in the frame of the layers
-  /// @throws InvalidConfig if it is too small, or stands on the part
+  /// @throws InvalidConfig if the tower is too small, or stands on the part
   PrimeTower(std::vector<TowerLayer> layers, const PlanSettings& settings, const Box2& part);
 
   double side() const { return side_mm_; }

@@ -16,9 +16,9 @@ struct RoleBead {
 };
 
 /// The nominal bead of a role. Infill, skins and supports have the width that the settings state for them,
-/// with whatever tool. Otherwise the bead is `bead.width_mm` wide with the tool of walls, and with other
-/// tools (those of supports, brims and rafts included) in proportion to the nozzle diameter. If a nozzle
-/// diameter is not known, and for bridges and ironing, it has the width of walls.
+/// with any tool. Otherwise the bead is `bead.width_mm` wide with the tool of walls, and with other tools
+/// (those of supports, brims and rafts included) in proportion to the nozzle diameter. If a nozzle diameter
+/// is not known, and for bridges and ironing, the bead has the width of walls.
 /// @param height_mm  height of the bead
 RoleBead beadOf(PathRole role, const PlanSettings& settings, double height_mm);
 

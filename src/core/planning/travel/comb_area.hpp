@@ -12,23 +12,23 @@
 
 namespace lamina {
 
-/// Limits of a way.
+/// Limits of a combing path.
 struct WayLimits {
-  double longest_mm = 0.0;  ///< greatest length of the whole way
+  double longest_mm = 0.0;  ///< greatest length of the whole path
   double reach_mm = 0.0;    ///< greatest distance of an end outside the area from the area
 };
 
-/// The area of a layer to which travels are confined, and the shortest ways in it. A way bends at reflex
-/// corners only, and is found among these by A*. A line between two corners is checked only when it is the
-/// most promising one, against the edges in those cells of a grid that it crosses.
+/// The area of a layer to which travels are confined, and the shortest paths within it. A path bends at
+/// reflex corners only, and is found by A* over these corners. A line between two corners is checked only
+/// when it is the most promising one, against the edges in those cells of a grid that it crosses.
 class CombArea {
  public:
   /// @param area  with outlines oriented as `unite` returns them
   explicit CombArea(const Regions& area);
 
-  /// The shortest way between two points, both ends included. An end outside the area is joined to its
-  /// nearest point. None if the ends lie in different regions or too far outside, if the way is too long, or
-  /// if it is not found within 1000 corners.
+  /// The shortest path between two points, both ends included. An end outside the area is joined to the
+  /// nearest point of the area. None if the ends lie in different regions or too far outside, if the path is
+  /// too long, or if the search exceeds 1000 corners.
   std::optional<Polyline> shortestWay(const Point2& from, const Point2& to, const WayLimits& limits) const;
 
  private:
@@ -40,7 +40,7 @@ class CombArea {
     std::size_t region;
   };
 
-  /// A corner round which ways can bend.
+  /// A corner round which paths can bend.
   struct Corner {
     Point2 at;
     Point2 before;
@@ -48,7 +48,7 @@ class CombArea {
     Point2 inner;  ///< a point of the area close to it
   };
 
-  /// An end of a way.
+  /// An end of a path.
   struct End {
     Point2 at;  ///< within the area
     std::size_t region;

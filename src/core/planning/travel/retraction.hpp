@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// Whether a straight travel of that length is retracted: beyond the threshold; over infill only beyond
-/// `comb_longest_mm`, where as much would ooze as on a combed way.
+/// `comb_longest_mm`, as a combed travel of that length would ooze as much.
 bool isRetracted(double distance_mm, TravelOver over, const TravelSettings& settings);
 
 /// Whether a combed travel of that length is retracted: beyond `comb_longest_mm`.

@@ -18,8 +18,8 @@ enum class TravelOver {
 };
 
 /// The travel from one point to another; none if they are the same. If it is not retracted (`isRetracted`) it
-/// is straight in the plane. If it is, it goes up by the hop, over, and down. To another height it first goes
-/// to the greater of both, plus the hop if it is retracted.
+/// is straight in the plane. If it is, it goes up by the hop, over, and down. Between different heights it
+/// first rises to the greater one, plus the hop if it is retracted.
 std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings,
                                TravelOver over = TravelOver::Anything);
 

@@ -21,9 +21,8 @@ enum class InsetWay {
 /// loops that enclose less than the square of the distance.
 ///
 /// @param distance_mm  0 gives the curve itself
-/// @return of a closed curve the remaining loops: several if a neck is too narrow, none if the whole curve
-/// is;
-///   of an open curve the curve without loops
+/// @return of a closed curve the remaining loops: several if a neck is too narrow, none if the whole curve is
+///   too narrow; of an open curve the curve without loops
 std::vector<AdaptedCurve> insetCurve(const AdaptedCurve& curve, double distance_mm, InsetWay way);
 
 }  // namespace lamina

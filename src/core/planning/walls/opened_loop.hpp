@@ -12,7 +12,7 @@ namespace lamina {
 /// A position on a closed path.
 struct JoinedLoopPlace {
   std::size_t motion = 0;  ///< number of the motion on which it lies
-  double part = 0.0;       ///< share of that motion from its start
+  double part = 0.0;       ///< share of that motion's length, from its start
   Point3 point = Point3::Zero();
 };
 

@@ -14,10 +14,10 @@ namespace lamina {
 /// counter-clockwise loop.
 ///
 /// Along a loop the nozzle rises from the bottom to the top of its layer, in proportion to the length. Seen
-/// from above, each point is shifted towards the loop below, in proportion to the length that is left, so
-/// that there is no step between loops. The height of the bead is that of the nozzle above the turn below.
-/// The first turn therefore grows from height 0 on the flat layer below. After the last one the nozzle goes
-/// round once more at the top, where the bead shrinks to height 0.
+/// from above, each point is shifted towards the loop below, in proportion to the remaining length: there is
+/// no step between loops. The bead is as high as the nozzle is above the turn below. The first turn therefore
+/// grows from height 0 on the flat layer below. After the last one the nozzle goes round once more at the
+/// top, where the bead shrinks to height 0.
 ///
 /// Layers without a loop may only follow the last one with a loop. Skirts stay; travels between layers are
 /// not made here.

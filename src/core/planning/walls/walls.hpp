@@ -41,11 +41,11 @@ struct FittedArea {
 /// Divides an area that a solid fill covers from border to border.
 FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm);
 
-/// Takes narrow gaps out of the area of a sparse fill: places between walls, narrower than a bead, where
-/// the fill would lay nothing over the height of the part, so that its walls did not hold together. Without
-/// walls there are none.
-/// @param inside      all that the walls leave, reaching into them by the overlap
-/// @param sparse      of it, what the fill covers; beside other fills it may be narrow
+/// Takes narrow gaps out of the area of a sparse fill: places between walls that are narrower than a bead.
+/// The fill would leave them empty over the whole height, and the walls would not hold together. Without
+/// walls there are no gaps.
+/// @param inside      area inside the walls, extended into the walls by the overlap
+/// @param sparse      part of `inside` that the fill covers; may be narrow beside other fills
 /// @param overlap_mm  of both areas with the walls
 FittedArea withoutNarrowGaps(const Regions& inside, Regions sparse, double overlap_mm,
                              const PlanSettings& settings, double pitch_mm);

@@ -21,7 +21,7 @@ std::string fromFanucText(std::string_view line);
 
 /// The line of a Fanuc program that names it, after the first `%`: the letter O with four digits, or eight if
 /// four do not hold the number; or the name in angle brackets.
-/// @throws InvalidConfig if the name is longer than 32 characters or contains any others than capitals,
+/// @throws InvalidConfig if the name is longer than 32 characters or contains characters other than capitals,
 ///   digits, + - _ and .
 std::string fanucProgramName(const FiveAxisSettings& settings);
 

@@ -10,7 +10,7 @@ namespace lamina {
 
 /// Joint values between two waypoints.
 struct JointsBetween {
-  double share = 0.0;  ///< position between the waypoints, as a share of the tip's way, in (0, 1)
+  double share = 0.0;  ///< position between the waypoints, as a share of the tip's path, in (0, 1)
   JointValues values;
 };
 

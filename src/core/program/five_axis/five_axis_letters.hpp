@@ -23,12 +23,12 @@ struct AxisLetter {
 
 /// The letters of a machine's joints, in the order of XYZABCUVW.
 /// @param renamed  `five_axis.letters`: "b=U,c=V" for rotary joints that have other letters than their names
-/// @throws InvalidConfig if a joint has no letter or the letter of another, if x, y and z are not all there
-///   as linear joints, or if a renamed joint is not rotary or its letter is not one of ABCUVW
+/// @throws InvalidConfig if a joint has no letter or the letter of another, if x, y or z is missing as a
+///   linear joint, or if a renamed joint is not rotary or its letter is not one of ABCUVW
 std::vector<AxisLetter> axisLetters(const KinematicModel& machine, const std::string& renamed);
 
-/// Those whose words stand within one turn: none where turns are counted, otherwise those of rotary joints
-/// without limits.
+/// The letters whose words stand within one turn: none if turns are counted, otherwise the letters of rotary
+/// joints without limits.
 /// @throws InvalidConfig if the dialect knows no such words
 std::vector<AxisLetter> moduloLetters(const KinematicModel& machine, const FiveAxisSettings& settings);
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// Selects the motions of a path that arcs may replace: consecutive ones with one bead, at one height, with
-/// feeds within 1 % of the first one's and no events in between.
+/// Selects the motions of a path that arcs may replace: consecutive motions with one bead, at one height,
+/// with feeds within 1 % of the first feed and no events in between.
 class PathArcs {
  public:
   /// @param places        positions of the nozzle in the program: at the start, and at the end of each motion

@@ -19,7 +19,7 @@ struct SlicerContext {
   std::optional<PathRole> role;     ///< nothing if not stated, or if Lamina has no such role
   std::optional<double> height_mm;  ///< height of the beads
   std::optional<double>
-      layer_height_mm;               ///< the first height reported since the layer opened, or that before
+      layer_height_mm;  ///< first height stated since the layer opened; before it, that of the layer before
   bool is_layer_height_open = true;  ///< whether the next height stated is the layer's
   std::size_t section = 0;           ///< number of comments so far that open a layer or a path
 };

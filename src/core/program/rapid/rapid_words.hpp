@@ -14,16 +14,16 @@ namespace lamina {
 /// Name of the variable that switches the process off for a dry run.
 constexpr std::string_view kRapidDryFlag = "lamina_dry";
 
-/// Begins a note of a level: its process value, its output, and how much that is for each unit.
+/// Beginning of the note on a level: its process value, its output, and the output's value for each unit.
 constexpr std::string_view kRapidLevel = "level";
 
-/// Begins a note of an external axis: its joint, its name on the controller, 1 or -1, and its zero.
+/// Beginning of the note on an external axis: its joint, its name on the controller, 1 or -1, and its zero.
 constexpr std::string_view kRapidExternal = "external";
 
 /// External axes of a target as printed in [Flores2018]; RAPID has six.
 constexpr std::size_t kThesisAxes = 5;
 
-/// Name of the trigger that sets a level on the way: "lamina_level_1" of the first.
+/// Name of the trigger that sets a level during a move: "lamina_level_1" for the first level.
 std::string rapidLevelTrigger(std::size_t level);
 
 /// Refuses a name that cannot be declared in RAPID.

@@ -39,10 +39,10 @@ JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const
 /// The kind of controller that runs programs of a language, as `cell.controller` names it.
 const char* controllerKind(RobotLanguage language);
 
-/// Checks that a program is one for the controller that the cell file of an arm states, if it states one: by
-/// its language, and by how it counts joints.
+/// Checks that a program suits the controller that an arm's cell file states, if any: by the language, and by
+/// how the program counts joints.
 /// @throws InvalidConfig as `requireControllerKind`
-/// @throws InvalidProgram if it counts them otherwise
+/// @throws InvalidProgram if the program counts joints otherwise
 void requireController(RobotLanguage language, const ControllerMap& map, const KinematicModel& arm);
 
 }  // namespace lamina

@@ -45,13 +45,13 @@ struct TipMove {
   bool rests = false;
   bool lays = false;           ///< whether material is deposited
   double room_mm = 0.0;        ///< distance to the nearer of the points before and after; 0 if the tip rests
-  std::size_t moves_left = 0;  ///< number of moves of its path from this one on, this one included
+  std::size_t moves_left = 0;  ///< number of moves left of its path, this one included
 };
 
 /// A move of all joints.
 struct JointMove {
   ControllerJoints joints;
-  std::optional<TipMove> pose = std::nullopt;  ///< where they take the tip, for who cannot state joints
+  std::optional<TipMove> pose = std::nullopt;  ///< pose of the tip, for languages that cannot state joints
 };
 
 struct OutputSwitch {

@@ -24,7 +24,7 @@ class CurveLength {
 
  private:
   const AdaptedCurve& curve_;
-  std::vector<double> at_point_;  // that of the first point again at the end, if closed
+  std::vector<double> at_point_;  // length up to each point; if closed, the total at the end too
 };
 
 }  // namespace lamina

@@ -14,7 +14,7 @@ struct CurvePlace {
   std::size_t segment = 0;
   double fraction = 0.0;
   Point3 point = Point3::Zero();  ///< [mm]
-  double distance_mm = 0.0;       ///< from the point whose nearest place this is
+  double distance_mm = 0.0;       ///< from the queried point
 };
 
 /// Finds the place of a curve that is nearest to a point, in logarithmic time.

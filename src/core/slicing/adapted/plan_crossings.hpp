@@ -28,8 +28,8 @@ struct PlanCrossing {
 /// @return in ascending order
 std::vector<PlanCrossing> planCrossings(const std::vector<AdaptedCurve>& curves);
 
-/// The point midway between the two places of a crossing, as a curve of one point, so that it has all
-/// properties that curves hold for each point, also interpolated.
+/// The point midway between the two places of a crossing, as a curve of one point, with all properties of a
+/// curve's points, interpolated too.
 AdaptedCurve pointAt(const std::vector<AdaptedCurve>& curves, const PlanCrossing& crossing);
 
 }  // namespace lamina

@@ -18,7 +18,7 @@ struct GrowthStep {
 
 struct GrowthSteps {
   GrowthStep first;
-  GrowthStep other;         ///< its parts are as high as a layer
+  GrowthStep other;         ///< all other steps; their parts are as high as a layer
   double spacing_mm = 0.0;  ///< distance of points along contours
 };
 

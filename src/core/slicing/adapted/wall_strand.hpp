@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// A flat contour of a wall: a loop of points at one height, with the direction upwards along the wall at
-/// each.
+/// each point.
 struct WallContour {
   std::vector<Point3> points;
   std::vector<Point3> axis;

@@ -11,9 +11,9 @@
 namespace lamina {
 
 /// Limits of layer height along z, from the slopes that layers span. A limit at some height applies to every
-/// layer that touches this height. A layer farther from it may be higher, by as much as heights may grow from
-/// neighbour to neighbour over that distance. So layers of the greatest allowed height keep the allowed ratio
-/// of neighbours.
+/// layer that touches this height. A layer at a distance from this height may be higher, by as much as
+/// heights may grow from neighbour to neighbour over the distance. Layers of the greatest allowed height
+/// therefore keep the allowed ratio of neighbours.
 class HeightLimits {
  public:
   HeightLimits(const SlopeProfile& profile, const AdaptiveSettings& settings);
@@ -34,7 +34,7 @@ class HeightLimits {
 
   std::vector<double> z_mm_;
   std::vector<double> at_mm_;  ///< limit at each z
-  /// Limit between z[i] and z[i + 1], before those of other heights are regarded.
+  /// Limit between z[i] and z[i + 1], before limits of other heights are applied.
   std::vector<double> between_mm_;
   double greatest_mm_ = 0.0;
   double growth_ = 0.0;

@@ -41,7 +41,7 @@ struct Flat {
 SlopeProfile slopeProfile(const Mesh& mesh, double least_height_mm);
 
 /// Level faces at which a layer could end, ascending, without those at the bottom of the part. Of several
-/// that are closer to each other than `least_height_mm`, `kept` has the largest and `hidden` the others.
+/// faces closer to each other than `least_height_mm`, `kept` has the largest and `hidden` the others.
 struct Flats {
   std::vector<Flat> kept;
   std::vector<Flat> hidden;

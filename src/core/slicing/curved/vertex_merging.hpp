@@ -27,7 +27,7 @@ struct MovingSurface {
 struct MergedVertices {
   static constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
 
-  /// For each vertex the one whose position it takes; `kGone` if no vertex near it is left.
+  /// For each vertex the vertex whose position it takes; `kGone` if no vertex near it is left.
   std::vector<std::uint32_t> root;
   std::vector<Point3> place;  ///< position of each root [mm]
   /// Whether a root stands where its neighbours collapse instead of on its own path.

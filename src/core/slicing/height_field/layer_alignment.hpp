@@ -14,8 +14,8 @@ struct SurfacePlace {
   double factor = 1.0;     ///< factor on the thickness of layers at this place
 };
 
-/// Mean distance [mm] of the places from the top of the nearest layer, of layers stacked without limit; 0 if
-/// there are no places.
+/// Mean distance [mm] of the places from the top of the nearest layer in a stack of layers without limit; 0
+/// if there are no places.
 /// @param scale  by which all factors are multiplied
 double distanceToTops(const std::vector<SurfacePlace>& places, double scale, const SlicingSettings& slicing);
 

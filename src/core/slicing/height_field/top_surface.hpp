@@ -22,8 +22,8 @@ inline std::size_t cornerOf(const HeightGrid& cells, int column, int row) {
 
 /// The three corners of a triangular half of a cell. Each cell is cut into two triangles along its rising
 /// diagonal: half 2 c is the lower right one of cell c, with its low, right and high corner; half 2 c + 1 is
-/// the upper left one, with its low, left and high corner. From corner to corner it goes along one axis, then
-/// along the other.
+/// the upper left one, with its low, left and high corner. The line through the three corners runs along one
+/// axis, then along the other.
 inline std::array<std::size_t, 3> cornersOfHalf(const HeightGrid& cells, std::size_t half) {
   const std::size_t cell = half / 2;
   const auto columns = static_cast<std::size_t>(cells.columns);

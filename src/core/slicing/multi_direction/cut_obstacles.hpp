@@ -15,12 +15,13 @@ namespace lamina {
 /// rest that does not stand (`Rest`), or costs more than it frees (`Price`).
 enum class DirectionObstacle : std::uint8_t { Gain, Bed, Base, Rest, Price };
 
-/// Number of directions by what keeps the part from being cut across them, and the bounds.
+/// Number of directions by obstacle, and the bounds.
 struct CutObstacles {
   std::array<std::size_t, 5> directions{};  ///< by `DirectionObstacle`
-  double least_gain_mm2 = 0.0;              ///< of surface, that a cut has to free
-  double least_base_mm2 = 0.0;              ///< that a piece has to lie on
-  /// Least height of the tip above the bed at which the head does not touch it, of the directions of `Bed`.
+  double least_gain_mm2 = 0.0;              ///< least surface that a cut has to free
+  double least_base_mm2 = 0.0;              ///< least area that a piece has to lie on
+  /// Least height of the tip above the bed at which the head does not touch the bed, over the directions of
+  /// `Bed`.
   double least_tip_mm = std::numeric_limits<double>::infinity();
 
   std::size_t count() const;

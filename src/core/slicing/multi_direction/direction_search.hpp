@@ -47,7 +47,7 @@ struct CutSequence {
 /// @throws Cancelled
 CutSequence bestCuts(const CutQuestion& question, Progress& progress);
 
-/// Why what a sequence leaves is not cut any further, for each direction.
+/// The obstacle in each direction to further cuts of the rest that a sequence leaves.
 /// @throws Cancelled
 CutObstacles cutObstacles(const CutSequence& sequence, const CutQuestion& question, Progress& progress);
 

@@ -34,7 +34,7 @@ struct CutCells {
 /// the bed.
 enum class CutFault { None, InBed, SmallBase, SmallPiece, LooseRest };
 
-/// A plane as a cut: what it cuts off, or why it is none.
+/// A plane as a cut: what it cuts off, or why it is not allowed.
 struct TriedCut {
   CutFault fault = CutFault::None;
   CutCells cells;  ///< of a cut without fault
@@ -42,13 +42,13 @@ struct TriedCut {
   explicit operator bool() const { return fault == CutFault::None; }
 };
 
-/// Cuts off the cells above a plane, if the plane is allowed as a cut. Parts smaller than a ten thousandth of
-/// the part's volume need neither a base nor a connection to the bed.
+/// Cuts off the cells above a plane, if the plane is allowed as a cut. Connected pieces smaller than a ten
+/// thousandth of the part's volume need neither a base nor a connection to the bed.
 TriedCut cutCells(const CellGraph& cells, const CellsLeft& left, const CuttingPlane& plane,
                   const CutRules& rules);
 
-/// Position of the lowest plane across the direction `up`, measured along it, above which the head does not
-/// touch the bed and which does not have the bed above it [mm].
+/// Position along `up` of the lowest plane across that direction with no remaining cell above it that lies at
+/// the bed, or so near that the head would touch the bed [mm].
 double lowestClearOfBed(const CellGraph& cells, const CellsLeft& left, const Point3& up,
                         const CutRules& rules);
 

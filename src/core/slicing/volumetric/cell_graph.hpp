@@ -27,10 +27,10 @@ struct NodePlace {
   Point3 at = Point3::Zero();
 };
 
-/// A part in cubic cells of 4 x 4 x 4 bits, each bit solid if its middle is inside the part. A connected set
-/// of bits of a cell, connected by their faces, is a node; most cells have one node. Nodes of neighbouring
+/// A part in cubic cells of 4 x 4 x 4 bits, each bit solid if its middle is inside the part. A node is a set
+/// of bits of one cell that are connected by their faces; most cells have one node. Nodes of neighbouring
 /// cells (26 neighbours) are linked if their bits touch, or if touching nodes in cells of a common block of 2
-/// x 2 x 2 join them. So nodes on both sides of a gap narrower than a cell are not linked.
+/// x 2 x 2 join them. Nodes on both sides of a gap narrower than a cell are not linked.
 ///
 /// Nodes are numbered by cell, along x first. The frame has a margin of one empty cell around the part.
 class CellGraph {
@@ -40,7 +40,7 @@ class CellGraph {
   static constexpr int kBits = 4;  ///< along a side of a cell
 
   /// @param mesh      closed [mm]
-  /// @param floor_mm  what lies below it is left out
+  /// @param floor_mm  z below which the part is left out
   /// @throws InvalidMesh, InvalidInput as `voxelisedMesh`; Cancelled
   CellGraph(const Mesh& mesh, double cell_mm, double floor_mm, Progress& progress);
 
@@ -48,7 +48,7 @@ class CellGraph {
   double bitSide() const { return frame_.voxel_mm / kBits; }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(bits_.size()); }
 
-  /// Solid bits of the node's cell that belong to it: bit x + 4 y + 16 z is the one at x, y, z in the cell.
+  /// Solid bits of the node's cell that belong to it: bit x + 4 y + 16 z lies at x, y, z in the cell.
   std::uint64_t bits(std::uint32_t node) const { return bits_[node]; }
   std::array<int, 3> cell(std::uint32_t node) const { return placeOf(cell_[node]); }
   /// Corner of the node's cell at the lower end of all axes.

@@ -16,11 +16,12 @@ struct FieldAlong {
   const std::vector<char>& is_given;    ///< nodes whose gradient is only roughly known, as at ends
 };
 
-/// Lengths, by nodes, by which the directions of a field are the gradient of another that has the same level
-/// surfaces but is evenly steep: over each connected level surface, lengths are proportional to those of the
-/// field, and as near to 1 as possible by least squares. So a bent tube of radius r about R gets c / distance
-/// from its axis, where c = (R + sqrt(R² - r²)) / 2. Level surfaces are taken in bands three cells thick.
-/// Lengths within a thousandth of 1 are 1; so are those of nodes that no node with a known gradient is near.
+/// Gradient lengths, by node, of another field with the directions and level surfaces of the given one, but
+/// as evenly steep as possible: over each connected level surface, lengths are proportional to those of the
+/// field, and as near to 1 as possible by least squares. A bent tube of radius r about R thus gets c /
+/// distance from the axis of the bend, where c = (R + sqrt(R² - r²)) / 2. Level surfaces are taken in bands
+/// three cells thick. Lengths within a thousandth of 1 are 1; so are lengths at nodes without a node of known
+/// gradient nearby.
 std::vector<double> evenLengths(const FieldAlong& field);
 
 }  // namespace lamina

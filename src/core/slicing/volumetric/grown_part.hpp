@@ -38,7 +38,7 @@ class GrownCells final : public HeadRoom::Growth {
   void spreadAlong(std::size_t axis);
 
   VoxelFrame blocks_;          ///< of several cells, with a margin round the part
-  std::vector<double> least_;  ///< growth in and around each block
+  std::vector<double> least_;  ///< least growth in and around each block
 };
 
 /// Growth of a part for one overhang used, and how well it supports the surface and suits the head.
@@ -53,8 +53,8 @@ struct GrownPart {
   HangingSurface hanging;
   std::shared_ptr<const HeadRoom> room;
   std::shared_ptr<const HeadLean> lean;  ///< nothing if no head is given
-  double fitted = 0.0;                   ///< share of the fitted growth in it, within [0, 1]
-  std::string fit_loss;  ///< why the next larger share of the fit was not taken; empty if all was
+  double fitted = 0.0;                   ///< share of the fitted growth in the growth, within [0, 1]
+  std::string fit_loss;  ///< why the next larger share of the fit was not taken; empty if the whole fit was
 
   const CellGraph& cells() const { return *grown->cells; }
   const ArrivalField& field() const { return grown->field; }
@@ -88,16 +88,16 @@ bool supportsMore(const GrowthLoss& next, const GrowthLoss& best, double layer_h
 /// Grows a part, and fits its growth to `VolumetricSettings::target`. The share of the fitted growth is the
 /// largest of 1, 1/2, 1/4 and 0 with which
 /// - at most 0.1 % of the surface is left unsupported in addition,
-/// - growth has no more minima,
+/// - growth has no additional minima,
 /// - at most 0.5 % of the volume is beyond the bounds of thickness, or no more than without the fit,
 /// - the head is clear in 99 % of the volume, or in as much as without the fit.
 ///
 /// The part grows with the overhang that `overhang_used_deg` states. If that is not set, growth starts with
-/// 20 deg less than the material allows and is varied in steps of 2.5 deg. It uses more overhang if the head
-/// has no room between fronts that meet, as they then meet at a wider angle; as long as that makes room,
-/// thickness allows it, and no more surface is left unsupported than is allowed. It uses less if much surface
-/// is left unsupported; as long as that surface shrinks, the head has room, and the additional pendant volume
-/// is at most one layer over the surface that is supported instead.
+/// 20 deg less than the material allows and is varied in steps of 2.5 deg. More overhang is used if the head
+/// has no room between fronts that meet, as fronts then meet at a wider angle: as long as this makes room,
+/// thickness allows it, and no more surface is left unsupported than is allowed. Less overhang is used if
+/// much surface is left unsupported: as long as this surface shrinks, the head has room, and the additional
+/// pendant volume is at most one layer over the surface that is supported instead.
 /// @throws Unsliceable if the part does not stand on the bed; Cancelled
 GrownPart grownPart(const Mesh& mesh, const VolumetricRequest& request, Progress& progress);
 

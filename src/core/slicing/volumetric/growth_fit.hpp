@@ -32,22 +32,22 @@ struct GrowthFitRequest {
   GrowthFoot foot = GrowthFoot::Flat;  ///< if free, growth changes in the first layer too
 };
 
-/// Growth whose gradient is as near as it can be, by least squares over the part, to wanted directions:
+/// Growth whose gradient is as close as possible, by least squares over the part, to wanted directions:
 ///
 /// - `Smooth`: the directions of the arrival field, smoothed over two cells;
 /// - `Surface`: the same, but the normal of the surface at skins that face growth;
 /// - `Tangent`: along the part, from the bed to its ends: the gradient of the harmonic field that is 0 on the
 ///   bed and 1 on the flat face at the end of each limb, where the distance from the bed through the part is
 ///   greatest;
-/// - `Given`: those of the request.
+/// - `Given`: the directions of the request.
 ///
-/// Directions are turned so that no surface overhangs them by more than the limit, nor they tilt more; the
-/// gradient's length is that of the arrival field, for `Tangent` 1, for `Given` what the field of the round
-/// before has along the direction, within the bounds of thickness. The result is scaled so that its gradient
-/// exceeds 1, where layers are thinner than their nominal height, in at most 0.5 % of the volume. Where
-/// fronts of the arrival field meet, the fold between them stays as it is. With a free foot growth begins
-/// with 0 at the place of each body that it reaches first. Nodes that no growth reaches stay so. The result
-/// need not keep the limits: that is for the caller to check.
+/// Directions are turned so that no surface overhangs them by more than the limit, and no direction tilts by
+/// more than the limit. The wanted length of the gradient is that of the arrival field; for `Tangent` it is
+/// 1; for `Given` it is that of the previous round's field along the direction, within the bounds of
+/// thickness. The result is scaled so that its gradient exceeds 1, where layers are thinner than their
+/// nominal height, in at most 0.5 % of the volume. Where fronts of the arrival field meet, the fold between
+/// them stays as it is. With a free foot growth begins with 0 at the first place that it reaches of each
+/// body. Nodes that no growth reaches stay so. The result may exceed the limits: the caller must check it.
 ///
 /// Source: directions and a Poisson equation in turn, as [Liu2008] alternates local and global steps.
 /// @param mesh  closed, facing outwards [mm, part frame]
@@ -55,7 +55,7 @@ struct GrowthFitRequest {
 ArrivalField fittedGrowth(const Mesh& mesh, const ArrivedGrowth& arrived, const GrowthFitRequest& request,
                           Progress& progress);
 
-/// The arrival field and a fitted one, mixed.
+/// A mixture of the arrival field and a fitted one.
 /// @param share  of the fitted one, within [0, 1]
 ArrivalField blendedGrowth(const ArrivedGrowth& arrived, const ArrivalField& fitted, double share);
 

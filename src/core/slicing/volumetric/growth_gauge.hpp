@@ -13,24 +13,24 @@ struct GrowthLimits {
   double max_tilt_rad = 1.4;   ///< greatest angle of the growth direction from the vertical
 };
 
-/// Cost of growing along a straight way: the nominal layer height that is deposited. For a way that leans
-/// from the vertical by at most the overhang, the cost is its rise, so that layers are level there. For one
-/// that leans more it is |way| cos(overhang) exp(-(lean - overhang) tan(overhang)): the normal of the layer
-/// lags behind the way by exactly the overhang, and the relative thickness of the layer is exp((lean -
-/// overhang) tan(overhang)). Beyond the lean at which this reaches the greatest thickness, the normal no
-/// longer changes and the cost is linear in the way. For ways that do not lead down the cost is convex, and
-/// smooth except at 0.
+/// Cost of growing along a straight segment: the nominal layer height that is deposited. For a segment that
+/// leans from the vertical by at most the overhang, the cost is its rise, so that layers are level there. For
+/// a segment that leans more it is |way| cos(overhang) exp(-(lean - overhang) tan(overhang)): the normal of
+/// the layer lags behind the segment by exactly the overhang, and the relative thickness of the layer is
+/// exp((lean - overhang) tan(overhang)). Beyond the lean at which this reaches the greatest thickness, the
+/// normal no longer changes and the cost is linear in the segment. For segments that do not lead down the
+/// cost is convex, and smooth except at 0.
 class GrowthGauge {
  public:
   explicit GrowthGauge(const GrowthLimits& limits);
 
-  /// Cost of a way [mm]; infinite if it leans more than `greatestLean`.
+  /// Cost of a segment [mm]; infinite if it leans more than `greatestLean`.
   double cost(const Point3& way) const;
-  /// Gradient of the cost: the layer's normal times 1 over its relative thickness; straight up for a way of
-  /// length 0.
+  /// Gradient of the cost: the layer's normal times 1 over its relative thickness; straight up for a segment
+  /// of length 0.
   Point3 gradient(const Point3& way) const;
 
-  /// Greatest lean of a way with a finite cost [rad].
+  /// Greatest lean of a segment with a finite cost [rad].
   double greatestLean() const { return greatest_lean_; }
 
  private:

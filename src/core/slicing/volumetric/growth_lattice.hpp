@@ -16,7 +16,7 @@ namespace lamina {
 struct GrowthSample {
   double growth_mm = 0.0;
   Point3 gradient = Point3::UnitZ();  ///< as in `GrowthAt`
-  /// Length of the gradient; between samples the mean of theirs, also where fronts meet.
+  /// Length of the gradient; between samples the mean of their lengths, also where fronts meet.
   double steepness = 1.0;
   Point3 at = Point3::Zero();
   std::uint32_t node = CellGraph::kNone;  ///< node of the part; `kNone` if the sample lies beside the part

@@ -27,8 +27,8 @@ struct HangingSurface {
   Mesh grown;                             ///< the triangles, or pieces of triangles, of `grown_mm2`
 };
 
-/// Measures overhanging surface by samples of it at most a cell apart, each with the growth that the layers
-/// have there. Surface that no growth reaches counts as overhanging.
+/// Measures overhanging surface by samples at most a cell apart, each with the growth of the layers there.
+/// Surface that no growth reaches counts as overhanging.
 /// @throws Cancelled
 HangingSurface hangingSurface(const Mesh& mesh, const CellGraph& cells, const GrowthLattice& lattice,
                               const OverhangQuestion& question, Progress& progress);
@@ -42,8 +42,8 @@ struct GrownThickness {
   Point3 farthest = Point3::Zero();  ///< where it is farthest outside, by the ratio to the bound passed
 };
 
-/// Thickness of layers by least squares over neighbouring cells. Cells with a neighbour that grows another
-/// way, where fronts meet, are left out.
+/// Thickness of layers by least squares over neighbouring cells. Cells with a neighbour that grows in another
+/// direction, where fronts meet, are left out.
 /// @param max_thickness  thickness that `beyond` allows, relative to the nominal layer height; at least 1
 GrownThickness grownThickness(const CellGraph& cells, const GrowthLattice& lattice, double max_thickness);
 
@@ -60,9 +60,9 @@ struct RestingShare {
   std::size_t pieces = 0;
 };
 
-/// Measures how a layer rests, piece by connected piece. A place rests if one layer height below it, and at
-/// most as far to the side, there is the part or the bed.
-/// @param carried_mm2  pieces whose area that does not rest is at most this do not count for the least share
+/// Measures how a layer rests, piece by connected piece. A place rests if the part or the bed lies one layer
+/// height below it and at most one layer height to the side.
+/// @param carried_mm2  pieces with at most this area that does not rest do not count for the least share
 RestingShare restingShare(const LayerSurface& layer, const CellGraph& cells, double bed_mm,
                           double carried_mm2);
 

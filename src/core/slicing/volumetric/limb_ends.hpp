@@ -15,17 +15,16 @@ struct LimbQuestion {
   const Mesh& mesh;
   const CellGraph& cells;
   const std::vector<SkinPart>& skin;
-  /// By nodes: 0 at the bed, from which it grows along limbs as the field whose Laplacian is -1 and that
-  /// flows out through the bed only; across a limb it hardly changes [mm²]. Negative where growth does not
-  /// come.
+  /// Depth by node [mm²]: the field with Laplacian -1 that is 0 at the bed and flows out through the bed
+  /// only. It grows along limbs and hardly changes across them. Negative where growth does not reach.
   const std::vector<double>& depth_mm2;
 };
 
-/// The normal of the surface at nodes at the ends of limbs, 0 at the others. A limb is what lies deeper than
-/// a way out of it, by more than three cells along it. Its end is a connected piece of the surface at its
-/// deepest node that faces one way within 60 deg, flat or domed: of several there, the one that lies deepest,
-/// or is flatter. One that reaches far along the limb, as the side of a tip does, is none, nor is one smaller
-/// than a cell's side.
+/// The normal of the surface at nodes at the ends of limbs, 0 at the others. A limb lies deeper than the node
+/// at which it joins a deeper limb, and extends more than three cells beyond that node. Its end is a
+/// connected piece of the surface at its deepest node, flat or domed, that faces one direction within 60 deg.
+/// Of several pieces the best by depth and flatness is taken. A piece that reaches far along the limb, like
+/// the side of a tip, is no end, nor is a piece smaller than a side of a cell.
 std::vector<Point3> limbEnds(const LimbQuestion& question);
 
 }  // namespace lamina

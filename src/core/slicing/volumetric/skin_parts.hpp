@@ -19,8 +19,8 @@ struct SkinPart {
   Point3 normal = Point3::Zero();
 };
 
-/// Parts of the surface by nodes, in ascending order; parts of one node that face the same way are one. A
-/// node that is but a sliver at the skin has those of its neighbours that lie farther in.
+/// Parts of the surface by nodes, in ascending order; parts of one node with the same normal are merged. A
+/// node without parts, only a sliver at the skin, takes those of its neighbours farther in.
 /// @throws Cancelled
 std::vector<SkinPart> skinParts(const Mesh& mesh, const CellGraph& cells, Progress& progress);
 

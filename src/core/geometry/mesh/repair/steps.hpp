@@ -31,8 +31,8 @@ RepairStep stitchBorders(Mesh mesh, const MeshTopology& topology, double toleran
 /// Splits triangles at border vertices that lie on their border edges within the tolerance [mm].
 RepairStep splitAtBorderVertices(Mesh mesh, const MeshTopology& topology, double tolerance);
 
-/// Turns triangles over so that neighbours run in opposite directions along their common edge; of a connected
-/// patch as few as possible.
+/// Turns triangles over so that neighbours run in opposite directions along their common edge; as few as
+/// possible in each connected patch.
 RepairStep orientConsistently(Mesh mesh, const MeshTopology& topology);
 
 /// Closes every border loop by new triangles between its vertices.

@@ -30,10 +30,10 @@ struct MachineFit {
 /// repeatedly: a bead is left out where the machine would collide, and deposited in pieces where a joint
 /// would turn too far beside a singularity. After each cut only the changed layers are checked again; once
 /// these pass, the whole toolpath is checked, and the result is that of this check. At most
-/// `volumetric.largest_left_out_percent` is left out; what still hinders then remains in the toolpath, for
-/// the later check that refuses it.
+/// `volumetric.largest_left_out_percent` is left out; waypoints that are still hindered remain in the
+/// toolpath, and the later check refuses them.
 ///
-/// @param beads        whose travels are not planned yet
+/// @param beads        toolpath whose travels are not planned yet
 /// @param progress     stages "joints" and "clearance"
 /// @param standing_mm  highest z of solid material on the bed before the first layer [part frame]
 /// @throws as `runOn` and `checkRun`

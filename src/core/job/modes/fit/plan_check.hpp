@@ -18,7 +18,7 @@ namespace lamina {
 /// Plans the travels of a toolpath whose beads are final, as `leadTravels` does.
 using LeadTravels = std::function<TravelsOverPart(Toolpath&)>;
 
-/// A toolpath with its travels planned, and what of it the machine cannot run.
+/// A toolpath with its travels planned, and the parts of it that the machine cannot run.
 struct CheckedPlan {
   Toolpath toolpath;
   TravelsOverPart travels;
@@ -29,7 +29,7 @@ struct CheckedPlan {
 
 /// Limits by which a plan is checked.
 enum class PlanLimits {
-  Tight,  ///< slightly tighter: joints take other ways once the part is elsewhere or a layer is slowed down
+  Tight,  ///< slightly tighter: joints move differently once the part is elsewhere or a layer is slowed down
   AsRun,  ///< those by which a program is refused
 };
 
@@ -44,14 +44,14 @@ class PlanCheck {
   const KinematicModel& model() const { return *model_; }
 
   /// Checks a whole toolpath.
-  /// @param beads  whose travels are not planned yet
+  /// @param beads  toolpath whose travels are not planned yet
   /// @throws as `runOn` and `checkRun`
   CheckedPlan whole(Toolpath beads) const;
 
-  /// Checks only the layers that differ from those of an earlier check and their neighbours, through which
-  /// the joints pass; findings for all others are taken over. Valid only if nothing is deposited that was not
+  /// Checks only the layers that differ from an earlier check, and their neighbours, through which the joints
+  /// pass; findings for all other layers are taken over. Valid only if nothing is deposited that was not
   /// there before. If joints change in layers farther off, only `whole` shows it.
-  /// @param beads   whose travels are not planned yet, with as many layers as `before`
+  /// @param beads   toolpath whose travels are not planned yet, with as many layers as `before`
   /// @param before  result of any check of the same part
   /// @throws as `whole`
   CheckedPlan again(Toolpath beads, const CheckedPlan& before) const;

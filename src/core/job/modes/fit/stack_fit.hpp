@@ -16,17 +16,17 @@ namespace lamina {
 /// The room of a head while layers grow.
 struct GrownRoom {
   const HeadRoom& room;
-  const std::vector<double>& growth_mm;  ///< for each layer, the growth deposited once the layer is
+  const std::vector<double>& growth_mm;  ///< growth deposited up to and including each layer
 };
 
-/// Plans the last of a stack that was grown with room for the head: tool axes are settled (`settleAxes`),
+/// Completes the plan of a stack that was grown with room for the head: tool axes are settled (`settleAxes`),
 /// travels led over the part (`leadTravels`), and, where the machine can turn the tool axis and
 /// `clearance.need` asks for it, all is fitted to the machine (`fitToMachine`).
 /// @throws as `fitToMachine`
 MachineFit fitGrown(Toolpath planned, const GrownRoom& grown, const PlanningRequest& request,
                     Progress& progress);
 
-/// A stack as the machine can run it, and what was changed for that, a sentence each.
+/// A stack as the machine can run it, and what was changed for this, one sentence for each change.
 struct StackFit {
   Toolpath toolpath;
   std::vector<std::string> notes;
@@ -34,15 +34,15 @@ struct StackFit {
 
 /// Fits a stack of layers to a machine that can turn the tool axis, if its program would be refused
 /// otherwise. Tool axes are settled (`settleAxes`) if joints turn too far, and raised (`raiseToolAxes`) if
-/// the machine runs into something or a joint is beyond its limits as the tool axis leans, each only if that
-/// leaves fewer places that the machine cannot run; what is left is cut (`fitToMachine`). A stack that is not
-/// refused, or is refused nevertheless, is returned as it was planned.
+/// the machine runs into something or a joint is beyond its limits as the tool axis leans, each only if fewer
+/// places remain that the machine cannot run. The remaining places are cut (`fitToMachine`). A stack that is
+/// not refused, or is refused nevertheless, is returned as it was planned.
 /// @param standing_mm  highest z of solid material on the bed before the first layer [part frame]
 /// @param progress     stages "joints" and "clearance"
 /// @throws as `fitToMachine`
 StackFit fitStack(Toolpath planned, double standing_mm, const PlanningRequest& request, Progress& progress);
 
-/// Says what a fit has left out, and where the nozzle turns off its bead.
+/// A sentence on what a fit has left out, and where the nozzle turns off its bead.
 std::string noteOnFit(const MachineFit& fit, double deposited_mm3);
 
 }  // namespace lamina

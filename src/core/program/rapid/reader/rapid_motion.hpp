@@ -16,7 +16,7 @@ namespace lamina {
 struct RapidStation {
   WaypointIndex at;
   RapidMove move;
-  std::size_t index = 0;  ///< of the move among those of the part
+  std::size_t index = 0;  ///< index of the move among the part's moves
 };
 
 /// A move of an approach or a retract.

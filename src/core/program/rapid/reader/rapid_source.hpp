@@ -38,7 +38,7 @@ struct RapidMove {
   std::size_t module = 0;  ///< index of the file of the procedure that runs it
   bool is_heeded = false;  ///< whether its configuration is obeyed: it is executed under ConfL\On
   RapidArc arc = RapidArc::None;
-  std::vector<std::string> triggers;  ///< names of those that act on its way
+  std::vector<std::string> triggers;  ///< names of the triggers that act during the move
 };
 
 /// Value of a jointtarget.
@@ -53,8 +53,8 @@ struct RapidTool {
   Eigen::Isometry3d flange_from_tip = Eigen::Isometry3d::Identity();  ///< [mm]
 };
 struct RapidWorkObject {
-  bool is_fixed = true;                                      ///< whether no mechanical unit carries it
-  std::string carrier;                                       ///< name of that unit
+  bool is_fixed = true;  ///< whether no mechanical unit carries it
+  std::string carrier;   ///< name of the unit that carries it; empty if fixed
   Eigen::Isometry3d user = Eigen::Isometry3d::Identity();    ///< [mm]
   Eigen::Isometry3d object = Eigen::Isometry3d::Identity();  ///< relative to the user frame [mm]
 };
@@ -63,7 +63,7 @@ struct RapidWorkObject {
 struct RapidLevelChange {
   std::string signal;
   double value = 0.0;
-  std::string trigger;  ///< its name; empty if it is set at once
+  std::string trigger;  ///< name of the trigger; empty if the output is set at once
 };
 
 enum class RapidAction : std::uint8_t {
@@ -73,7 +73,7 @@ enum class RapidAction : std::uint8_t {
   Level,       ///< sets the level with this `index`, or has its trigger do so
   Set,         ///< sets an output
   Reset,       ///< resets an output
-  Wait,        ///< a wait of the toolpath's, of `duration_s`
+  Wait,        ///< a wait of the toolpath, of `duration_s`
   Call,        ///< calls the procedure whose name has this `index`
   Preparing    ///< anything that neither moves nor deposits
 };
@@ -112,8 +112,8 @@ struct RapidSource {
   std::vector<std::string> files;  ///< names of the modules' files
   /// Names of statements that switch the process, wait for it, or name its data.
   std::set<std::string> process;
-  bool is_conditional = false;  ///< whether what comes next stands under the condition of a dry run
-  bool is_dry = false;          ///< whether it is what a dry run does instead
+  bool is_conditional = false;  ///< whether the next statement stands under the condition of a dry run
+  bool is_dry = false;          ///< whether the next statement belongs to what a dry run does instead
 };
 
 /// Reads a module and adds it to the source.

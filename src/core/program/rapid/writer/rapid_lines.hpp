@@ -21,8 +21,7 @@ namespace lamina {
 std::string rapidConfiguration(const RapidSettings& settings);
 
 /// External axes with these values [mm, deg] first, and 9e+09, not in use, for the rest. Without values the
-/// first is that of the settings, if these have one:
-/// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]`.
+/// first external axis is that of the settings, if they have one: `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]`.
 std::string rapidExternalAxes(std::vector<double> values, const RapidSettings& settings);
 
 /// Configuration of joint values: `[0,-1,0,1]`.

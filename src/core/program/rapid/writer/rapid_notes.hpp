@@ -13,7 +13,7 @@ namespace lamina {
 /// Beginning of a comment that states what the moves of a program do not: `!# path outer_wall closed 12`.
 constexpr std::string_view kRapidNote = "!# ";
 
-/// The note, without that beginning, of procedures that lead to the part and away from it.
+/// The notes, without `kRapidNote`, of procedures that lead to the part and away from it.
 constexpr std::string_view kRapidApproach = "approach";
 constexpr std::string_view kRapidRetract = "retract";
 

@@ -12,7 +12,7 @@ namespace lamina {
 
 using RapidPath = RobotPath;
 
-/// A position in a program, before a move. At the end of the program alone, `move` equals the path's number
+/// A position in a program, before a move. Only at the end of the program does `move` equal the path's number
 /// of moves.
 struct RapidPlace {
   std::size_t path = 0;

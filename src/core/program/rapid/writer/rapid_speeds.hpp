@@ -13,7 +13,7 @@
 namespace lamina {
 
 /// Names of a program's feeds. The first feed of deposition and that of travel have the names of the
-/// settings, any further one such a name with a number. A predefined name of RAPID stands for its own feed
+/// settings, further feeds have these names with a number. A predefined name of RAPID stands for its own feed
 /// only.
 class RapidSpeeds {
  public:

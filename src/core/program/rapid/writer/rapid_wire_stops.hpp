@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// Where the wire stops ahead of the end of a run: on the way of a move, so far before its end.
+/// Place at which the wire stops before the end of a run: a distance before the end of a move.
 struct RapidWireStop {
   RapidPlace move;
   double distance_mm = 0.0;
 };
 
-/// One for each run, in their order: where the tip passes `stop_s` before the run's end at the feeds of its
-/// motions, or where the run begins if it is shorter than that. A controller acts at a distance however
-/// briefly it brakes; at a time it acts while it brakes at the earliest.
+/// The wire stop of each run, in order: the place that the tip passes `stop_s` before the run's end at the
+/// feeds of its motions, or the start of a shorter run. Stops are distances, as a controller acts at a
+/// distance however briefly it brakes; a stop by time would take effect while braking at the earliest.
 std::vector<RapidWireStop> rapidWireStops(const std::vector<RapidPath>& paths, double stop_s);
 
 }  // namespace lamina

@@ -32,11 +32,11 @@ constexpr std::string_view kDryFlagNote = "dry_flag";
 /// Beginning of the note of the speed of a dry run, in percent of the program's.
 constexpr std::string_view kDrySpeedNote = "dry_speed";
 
-/// Variable of programs in KRL that says whether a run is dry, where the controller's own would stop the tip
-/// to be read.
+/// Variable of programs in KRL that states whether a run is dry: reading the controller's own flag would stop
+/// the tip.
 constexpr std::string_view kDryVariable = "lamina_dry";
 
-/// Variable of programs that run dry at a speed of its own: by what their speeds are multiplied.
+/// Variable by which programs that run dry at a speed of their own multiply their speeds.
 constexpr std::string_view kDrySpeedVariable = "lamina_speed";
 
 /// Beginnings of the notes before statements by which a program in KRL starts and ends its arc.
@@ -44,11 +44,12 @@ constexpr std::string_view kArcOnNote = "arc_on";
 constexpr std::string_view kArcOffNote = "arc_off";
 
 /// The comments that hold a note, in a language whose comments begin with `lead` and hold at most `width`
-/// further characters. The first one begins with "# ", those for the words that did not fit with "#+ ".
+/// further characters. The first one begins with "# "; "#+ " begins further ones, with the words that did not
+/// fit.
 std::vector<std::string> noteComments(std::string_view note, std::string_view lead, std::size_t width);
 
-/// Joins the comments of a program into notes; comments that are no notes change nothing. `whole` holds the
-/// note that was completed last.
+/// Joins the comments of a program into notes; comments that are no notes change nothing. `take` returns the
+/// note joined so far, and removes it.
 class NoteGathering {
  public:
   /// Adds a comment.

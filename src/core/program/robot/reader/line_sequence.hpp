@@ -24,9 +24,9 @@ class LineSequence {
     const std::string_view text = lines_[next_++];
     return {text, next_, *file_};
   }
-  /// The next line, which stays the next.
+  /// The next line, without reading past it.
   LineCursor lineAhead() const { return {lines_[next_], next_ + 1, *file_}; }
-  /// What follows the last line, to refuse that nothing does.
+  /// An empty line after the last one, for errors about a missing line.
   LineCursor end() const { return {"", lines_.size() + 1, *file_}; }
   /// The same lines, none of them read.
   LineSequence fromStart() const { return {lines_, *file_}; }

@@ -37,8 +37,8 @@ struct RobotHeadNotes {
   std::optional<Eigen::Isometry3d> bed;   ///< pose of the bed over what carries it [mm]
   std::optional<ToolLoad> load;           ///< what the flange carries
   std::vector<StatedTool> stated_tools;   ///< of statements besides the notes
-  /// Where a program whose language has no tools by number first moves the tip without having stated one;
-  /// empty for nowhere.
+  /// Place of the first move of the tip before any tool is stated, in a language without tools by number;
+  /// empty if there is none.
   std::string untold_tool;
   bool is_bed_carried = false;
   int process_output = 1;

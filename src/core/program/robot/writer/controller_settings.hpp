@@ -8,9 +8,10 @@
 
 namespace lamina {
 
-/// The settings with what the cell file of an arm states of its controller, where they leave it at their
-/// defaults.
-/// @throws InvalidConfig if the controller runs programs in another language, or a setting differs from it
+/// The settings, with those left at their defaults taken from what an arm's cell file states of its
+/// controller.
+/// @throws InvalidConfig if the controller runs programs in another language, or a setting differs from what
+///   the cell file states
 RobotProgramSettings withArmController(RobotProgramSettings settings, RobotLanguage language,
                                        const KinematicModel& arm);
 

@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// A path as moves of a robot. If the path before ends in another pose, a move to its first pose precedes its
-/// motions.
+/// A path as moves of a robot. If the path before ends in another pose, a move to the path's first pose
+/// precedes its motions.
 struct RobotPath : ListedPath {
   bool is_turned = false;     ///< whether it begins with such a move
   bool switches_on = false;   ///< whether the process starts before its first motion
@@ -31,9 +31,9 @@ enum class ToolTurns : std::uint8_t { None, Any };
 ///   position beyond 100 m, or an invalid feed, orientation or bead; if there is no path
 std::vector<RobotPath> robotPaths(const Toolpath& toolpath, ToolTurns turns);
 
-/// Duration of the toolpath's waits after a move [s]: those before the next motion of its path; or, after the
-/// last move of a path, those at its end and those before the next path, if that path does not begin with a
-/// move of its own. After the last move of the program, those at the toolpath's end too.
+/// Duration of the toolpath's waits after a move [s]: waits before the next motion of the path. After the
+/// last move of a path: waits at its end, and waits before the next path unless that path begins with a move
+/// of its own. After the last move of the program: waits at the toolpath's end too.
 double dwellAfter(const Toolpath& toolpath, const std::vector<RobotPath>& paths, std::size_t path,
                   std::size_t move);
 

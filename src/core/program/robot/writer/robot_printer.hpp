@@ -91,7 +91,7 @@ void requireFreeName(const std::string& name, const std::vector<std::string_view
                      RobotLanguage language);
 
 /// Refuses a dry run at a speed of its own in a language whose moves state speeds as plain numbers: only an
-/// override of the controller could change them, which would outlast the program.
+/// override of the controller could change these speeds, and it would outlast the program.
 /// @throws InvalidConfig
 void requireNoDrySpeed(const RobotProgramSettings& settings, RobotLanguage language);
 

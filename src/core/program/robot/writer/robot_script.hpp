@@ -43,7 +43,7 @@ class RobotScript {
   std::vector<RobotStatement> retractFrom(const ArmPosture& posture) const;
   std::vector<RobotStatement> approachTo(const ArmPosture& posture) const;
 
-  /// By the joints to where the arm stands so. Needs an arm.
+  /// The joint move to a posture. Needs an arm.
   JointMove jointMoveTo(const ArmPosture& posture) const;
 
   const std::vector<RobotStretch>& stretches() const { return stretches_; }
@@ -54,7 +54,7 @@ class RobotScript {
   /// Posture of the arm at the start of a stretch; nothing without an arm.
   std::optional<ArmPosture> postureAtStart(const RobotStretch& stretch) const;
 
-  /// With the load of the cell where they state none.
+  /// The settings, with the load of the cell if they state none.
   const RobotProgramSettings& settings() const { return settings_; }
   const std::optional<ArmCell>& cell() const { return cell_; }
   /// Kinds of the external axes, in their order.
