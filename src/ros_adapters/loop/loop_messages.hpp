@@ -27,7 +27,7 @@ lamina_msgs::LoopFigures toMessage(const LayerOutcome& layer, const std::string&
 sensor_msgs::PointCloud2 toCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
 
 /// The request of a service call.
-/// @throws InvalidInput if it is none of those in SetLoop.srv
+/// @throws InvalidInput if it is no request of SetLoop.srv
 LoopRequest loopRequestOf(const lamina_msgs::SetLoop::Request& request);
 
 }  // namespace lamina
