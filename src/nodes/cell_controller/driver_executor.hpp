@@ -11,12 +11,12 @@
 
 namespace lamina {
 
-/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). It resumes none that was
-/// cut off.
+/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). Interrupted jobs are not
+/// resumed.
 class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAction> {
  public:
   /// @param placement  of jobs on the bed
-  /// @param report  takes what the executor says
+  /// @param report  receives the executor's reports
   DriverExecutor(const ros::NodeHandle& node, Placement placement,
                  std::function<void(const ExecutorReport&)> report);
 
