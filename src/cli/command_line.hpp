@@ -9,7 +9,7 @@
 
 namespace lamina::cli {
 
-/// A subcommand by the name that it is called by. That of several, which `lamina --help` lists, has none.
+/// A subcommand and its name. An entry for several subcommands, which `lamina --help` lists, has no name.
 struct Subcommand {
   const char* name;
   void (*add)(CLI::App& app, Chosen& chosen);
@@ -21,8 +21,8 @@ std::vector<std::string> withHelpAsOption(std::vector<std::string> arguments);
 /// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
 std::string subcommandOf(int argc, char** argv);
 
-/// Runs the subcommand that the arguments name, of those given. Options of the others are not set up then:
-/// they take memory. Never throws but for want of memory.
+/// Runs the one of the given subcommands that the arguments name. Options of the others are not set up, to
+/// save memory. Throws only if memory is exhausted.
 /// @return the exit code of the process
 int runCommandLine(int argc, char** argv, const std::vector<Subcommand>& subcommands);
 

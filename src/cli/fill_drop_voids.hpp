@@ -11,7 +11,7 @@
 
 namespace lamina::cli {
 
-/// What `lamina fill-voids` takes for programs of drops besides.
+/// Further arguments of `lamina fill-voids` for programs of drops.
 struct DropFillArguments {
   std::string overlap;
   std::string definition;
@@ -32,7 +32,7 @@ struct DropFillFiles {
   std::string sweep;
 };
 
-/// Fills the voids of a program of drops and reports what it did.
+/// Fills the voids of a program of drops and reports the result.
 void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format);
 
 }  // namespace lamina::cli

@@ -8,11 +8,11 @@
 
 namespace lamina::cli {
 
-// Subcommands in an executable of their own beside this one: the libraries that `lamina-optimise` searches
-// with, `lamina-estimate` reads bags with, `lamina-journal` the database of a cell, and `lamina-token` keeps
-// tokens with, take longer to load than most commands run.
+// Subcommands in separate executables beside this one: `lamina-optimise` (search), `lamina-estimate` (bags),
+// `lamina-journal` (database of a cell) and `lamina-token` (tokens). Their libraries take longer to load than
+// most commands run.
 
-/// Adds what `lamina --help` says of them.
+/// Adds the descriptions of these subcommands to `lamina --help`.
 void addSeparateCommands(CLI::App& app, Chosen& chosen);
 
 /// Runs the executable in place of this process if the arguments name one of them; returns if they do not.

@@ -13,14 +13,14 @@
 
 namespace lamina::cli {
 
-/// How a subcommand reports what it found.
+/// How a subcommand reports its results.
 enum class OutputFormat { Text, Json };
 
 /// What was done so far, by names in JSON.
 using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// The subcommand chosen on the command line: what it does once the arguments are read, and how it reports
-/// the result. `run` throws on failure; `main` prints the error and chooses the exit code.
+/// The subcommand chosen on the command line: its function, and the format of its report. `run` throws on
+/// failure; `main` prints the error and chooses the exit code.
 struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;
@@ -28,7 +28,7 @@ struct Chosen {
   Counts counts;      ///< reported beside the error if `run` fails
 };
 
-/// No layer asked for has a greater index: more are in no program.
+/// Greatest index of a requested layer: no program has more.
 inline constexpr int kMostLayers = 1000000000;
 
 /// Adds the flag `--json` to a subcommand.
@@ -37,7 +37,7 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 /// Prints the settings on standard output: as YAML, or as one JSON object of keys and values.
 void printConfig(const SettingsSchema& schema, OutputFormat format);
 
-/// What `lamina --help` says of the subcommands of another executable.
+/// Descriptions of subcommands of other executables for `lamina --help`.
 inline constexpr char kAlarmsDescription[] = "List the alarms of a cell, and what each asks for";
 inline constexpr char kAuditDescription[] =
     "Check whether rows of a cell's audit were edited, removed or added";
@@ -51,7 +51,7 @@ inline constexpr char kRecordDescription[] =
 
 inline constexpr char kTokenDescription[] = "Tokens of the operator's page: make, list or remove them";
 
-// Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
+// Each function adds a subcommand with all its options; if the command line names it, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addAlarms(CLI::App& app, Chosen& chosen);
 void addAudit(CLI::App& app, Chosen& chosen);

@@ -14,15 +14,15 @@
 
 namespace lamina {
 
-/// Alarms of one source, on `alarm_reports`. Whoever begins to listen gets the conditions that stand, and of
-/// the others that they are gone: those of a node that died are not raised any more. Thread-safe.
+/// Alarms of one source, on `alarm_reports`. A new subscriber receives the conditions that stand, and for
+/// each other condition that it is gone: conditions of a node that died are thus ended. Thread-safe.
 class AlarmReports {
  public:
   /// @param source      name of the node
   /// @param conditions  IDs of the alarms that last until their end; all others are events
   AlarmReports(ros::NodeHandle node, std::string source, std::vector<std::uint16_t> conditions);
 
-  /// @param value    in the unit that the table of alarms has for it; 0 if there is none
+  /// @param value    measured value in the unit of the table of alarms; 0 if there is none
   /// @param message  the reason, in a sentence
   void raise(std::uint16_t id, double value, const std::string& message);
   /// Reports a condition as gone if it stands.

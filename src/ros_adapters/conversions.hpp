@@ -32,7 +32,7 @@ inline double toMillimetres(double metres) { return metres * kMillimetresPerMetr
 inline double toCubicMetres(double cubic_millimetres) { return cubic_millimetres * 1e-9; }
 /// Volume [mm³] of a volume [m³]; the same for flows.
 inline double toCubicMillimetres(double cubic_metres) { return cubic_metres * 1e9; }
-/// Stress or modulus [Pa] of one in MPa.
+/// Stress or modulus [Pa] of a stress or modulus [MPa].
 inline double toPascals(double megapascals) { return megapascals * 1e6; }
 
 geometry_msgs::Point toMessage(const Point3& point);
@@ -49,17 +49,17 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose);
 lamina_msgs::Bead toMessage(const Bead& bead);
 Bead fromMessage(const lamina_msgs::Bead& bead);
 
-/// The message of a summary. Of the times only the estimated and the total one are included; the memory is
+/// The message of a summary. Of the times only the estimated and the total time are included; the memory is
 /// not.
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary);
 
 /// Axis positions as a message [m], without time stamp.
 sensor_msgs::JointState jointState(const CartesianMachine& machine, const AxisValues& values_mm);
 
-/// A toolpath with its identity, its position, and the machine that it is for, as sent in one message.
+/// A toolpath with its identity, its position and its machine, as sent in one message.
 struct MachineToolpath {
-  std::string id;       ///< of the toolpath as it was planned
-  std::string machine;  ///< name of the machine it was planned for
+  std::string id;       ///< id of the toolpath as planned
+  std::string machine;  ///< name of the machine for which it was planned
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
   Toolpath toolpath;
 };

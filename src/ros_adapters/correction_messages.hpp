@@ -12,8 +12,8 @@
 namespace lamina {
 
 /// The message of a map, with an empty header: the publisher sets the time stamp. Lengths are rounded to 40
-/// bits of their mantissa, so that conversion to metres and back does not change them; the digest is that of
-/// the rounded map.
+/// bits of their mantissa: conversion to metres and back does not change them. The digest is that of the
+/// rounded map.
 lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map);
 
 /// The map of a message; its `digestOf` is the message's digest.
@@ -22,8 +22,8 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map);
 CorrectionMap toCore(const lamina_msgs::CorrectionMap& message);
 
 /// The message on how the map of a layer was applied, with an empty header.
-/// @param digest  digest of the map by which the layer is deposited from `missed.held_from` on; empty if by
-///   none
+/// @param digest  digest of the map by which the layer is deposited from `missed.held_from` on; empty if
+///   there is none
 lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
                                          const std::string& digest);
 

@@ -22,11 +22,12 @@ class GoalFault final : public InvalidInput {
   std::int32_t code_;
 };
 
-/// Tolerances of a goal: how far joints may deviate on the way and at the end.
+/// Tolerances of a goal: allowed deviations of joints during the motion and at the end.
 class GoalTolerances {
  public:
   GoalTolerances() = default;
-  /// @param own  the controller's tolerance on the way for goals that state none; 0 for no limit [mm, rad]
+  /// @param own  the controller's tolerance during the motion for goals that state none; 0 for no limit [mm,
+  ///   rad]
   /// @throws GoalFault as INVALID_JOINTS, naming a joint that the model does not have
   GoalTolerances(const follow::Goal& goal, const KinematicModel& model, double own);
 
@@ -36,7 +37,7 @@ class GoalTolerances {
     const JointValues& position;
     const JointValues& velocity;
   };
-  /// The joint that deviates too much on the way, in words; empty if there is none.
+  /// The joint that deviates too much during the motion, in words; empty if there is none.
   std::string faultOnTheWay(const Motion& motion, const KinematicModel& model) const;
   /// The joint that deviates too much at the end, or should rest and is still too fast, in words; empty if
   /// there is none.

@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// Publishes a message on a latched topic so that every subscriber gets it, also one that connects at that
-/// moment. roscpp stores the message for later subscribers only after it was handed to the present ones, so
-/// that a subscriber connecting in between would get none. If one connects then, all subscribers get the
-/// message twice. Publisher is a latching ros::Publisher.
+/// Publishes a message on a latched topic to every subscriber, also to one that connects during the call.
+/// roscpp stores the message for later subscribers only after passing it to the present ones: a subscriber
+/// that connects in between would get none. In this case all subscribers get the message twice. Publisher is
+/// a latching ros::Publisher.
 template <class Publisher, class Message>
 void publishLatched(const Publisher& publisher, const Message& message) {
   const auto subscribers = publisher.getNumSubscribers();

@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// Report of a node on /diagnostics, each `~diagnostic_period` by ROS time. Where that goes back, because a
+/// Report of a node on /diagnostics, each `~diagnostic_period` by ROS time. If ROS time goes back, because a
 /// clock was set or a simulation was reset, the next report follows at once: the updater itself would be
 /// silent until the former time is reached again.
 class NodeDiagnostics {
  public:
   using Fill = std::function<void(diagnostic_updater::DiagnosticStatusWrapper&)>;
 
-  /// @param hardware  what the node speaks to; "none" for nothing
+  /// @param hardware  device to which the node is connected; "none" without a device
   void begin(const std::string& hardware, const std::string& name, const Fill& fill);
   /// Reports if it is time; to be called a few times a second.
   void update();

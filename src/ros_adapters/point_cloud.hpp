@@ -23,7 +23,7 @@ struct CloudPoints {
 /// are.
 /// @param target_from_cloud  applied to each point; translation [mm]
 /// @throws InvalidInput if a field is missing or of another type, or there are fewer bytes than the layout
-///   asks for
+///   requires
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud);
 
 /// The rows of a cloud in its own frame [mm], each with all of its points, also those that are not finite,

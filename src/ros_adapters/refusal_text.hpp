@@ -16,7 +16,7 @@ struct RequestName {
 };
 
 /// The line that a node logs if a request fails: "cannot slice 'cube.stl' into 'cube.gcode': InvalidConfig:
-/// ...". An empty subject is written as such.
+/// ...". An empty subject is written as "nothing named".
 std::string refusalText(const RequestName& request, const Failure& failure);
 
 }  // namespace lamina

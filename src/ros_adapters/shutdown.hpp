@@ -19,7 +19,7 @@ struct NodeRun {
   OnSignal on_signal = OnSignal::ShutDown;
 };
 
-/// Whether one of these signals or `rosnode kill` was received.
+/// Whether SIGINT, SIGTERM, SIGHUP or `rosnode kill` was received.
 bool isStopRequested();
 
 /// Waits until every message published so far is sent, and then 0.5 s, because a subscriber that learns of

@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// Time from one stamp to another [s], negative if `to` is the earlier one. Of any two stamps that messages
-/// may state: the operators of ros::Time throw beyond 68 years, which ends a node that hears a garbled stamp.
+/// Time from one stamp to another [s], negative if `to` is the earlier one. Accepts any two stamps: the
+/// operators of ros::Time throw beyond 68 years, and a garbled stamp would end the node.
 inline double secondsBetween(const ros::Time& from, const ros::Time& to) {
   constexpr double kNanosecond = 1e-9;
   const double seconds = static_cast<double>(to.sec) - static_cast<double>(from.sec);
   return seconds + kNanosecond * (static_cast<double>(to.nsec) - static_cast<double>(from.nsec));
 }
 
-/// The stamp that is a duration after another, or the first or last that there is.
+/// The stamp that is a duration after another, or the first or last stamp that exists.
 inline ros::Time stampAfter(const ros::Time& stamp, const ros::Duration& duration) {
   const std::int64_t earliest_ns = ros::TIME_MIN.toNSec();
   const std::int64_t latest_ns = ros::TIME_MAX.toNSec();

@@ -11,7 +11,7 @@ namespace lamina {
 lamina_msgs::Status toMessage(const Failure& failure);
 
 /// The failure of a status message.
-/// @throws InvalidInput if the code is none of those in Status.msg
+/// @throws InvalidInput if the code is no code of Status.msg
 Failure fromMessage(const lamina_msgs::Status& status);
 
 /// Does nothing if the status is OK.

@@ -22,10 +22,10 @@ struct DepositedMotion {
 /// highest ground below its centre line, its edges are half discs, and its width follows from its volume:
 /// over flat ground the map gains exactly what was extruded. Where neighbouring beads fill part of the space,
 /// the bead becomes wider instead of higher. Too little material for a stadium gives a disc that lies on the
-/// ground, lower than the nozzle. What is deeper than the underside stays open: valleys between the beads of
-/// the layer below become pores, and gaps are bridged up to `kBridgedSpan`. As the map has one height per
-/// cell, it does not show these voids, and gains their volume too. Sagging, oozing and the pressure in the
-/// nozzle are not modelled. Edges are blurred by one cell.
+/// ground, lower than the nozzle. Space below the underside stays open: valleys between the beads of the
+/// layer below become pores, and gaps are bridged up to `kBridgedSpan`. As the map has one height per cell,
+/// it does not show these voids, and gains their volume too. Sagging, oozing and the pressure in the nozzle
+/// are not modelled. Edges are blurred by one cell.
 ///
 /// Motions may be of any length; the cost is proportional to the number of cells that the bead covers.
 class BeadDeposit {
@@ -37,7 +37,7 @@ class BeadDeposit {
   /// @param ground  initial heights, known in all cells, for instance 0 everywhere
   explicit BeadDeposit(HeightMap ground);
 
-  /// Deposits a motion. One without volume deposits nothing. Material beyond the map is lost.
+  /// Deposits a motion. A motion without volume deposits nothing. Material beyond the map is lost.
   /// @throws InvalidInput if the motion is not finite or farther out than 1 km, or the volume is negative or
   ///   not finite
   void lay(const DepositedMotion& motion);
@@ -55,7 +55,7 @@ class BeadDeposit {
     double distance = 0.0;                    ///< distance from the centre line [mm]
     double ceiling = 0.0;                     ///< height of the nozzle here [mm]
     double underside = 0.0;                   ///< height of the bead's underside here [mm]
-    double floor = 0.0;                       ///< height of what is already here, at least the underside [mm]
+    double floor = 0.0;  ///< height of the material already here, at least the underside [mm]
   };
 
   void layPiece(const DepositedMotion& piece);
@@ -71,7 +71,7 @@ class BeadDeposit {
   std::vector<float> deposited_at_;  ///< nozzle height at which each cell was last deposited [mm]
   std::vector<Cell> cells_;          ///< around the piece being deposited
   double layer_z_ = 0.0;             ///< nozzle height of the last piece [mm]
-  /// Height from there down to the ground of the last supported bead; 0 before the first.
+  /// Height from `layer_z_` down to the ground of the last supported bead; 0 before the first.
   double layer_gap_ = 0.0;
   double unsupported_mm_ = 0.0;  ///< length of the bead since it left its support
   double excess_mm3_ = 0.0;

@@ -14,7 +14,7 @@ struct DepositionSettings {
   double bed_z_mm = 0.0;   ///< height of the bed, below which nothing is deposited
   /// Whether build aids are deposited too: skirt, brim, raft, supports, priming.
   bool are_build_aids_deposited = false;
-  double memory_limit_mb = 0.0;  ///< greatest memory of the voxels; 0: what is available on the machine
+  double memory_limit_mb = 0.0;  ///< greatest memory of the voxels; 0: the available memory of the computer
 };
 
 /// Adds the keys deposition.*.

@@ -12,8 +12,7 @@
 
 namespace lamina {
 
-/// Settings of a process whose growth differs from the commanded one, as far as the motions do not state
-/// them.
+/// Settings of a process whose growth differs from the commanded one: those that the motions do not state.
 struct GrownDepositSettings {
   double bead_width_mm = 0.0;  ///< width over which a bead grows; 0: that of the first bead
   int layers = 100;            ///< number of layers of the job, over which the gain wears
@@ -31,35 +30,36 @@ struct GrownPiece {
   double end_s = 0.0;       ///< machine time at the end
 };
 
-/// Deposits beads into a height map in the way in which a `GrowthPlant` lets them grow: upwards by volume
-/// over width from what is below, and not up to the nozzle. Layers and beads are recognised by the motions
-/// alone. A bead ends where the next motion does not continue it; a layer ends where the nozzle is higher by
-/// half of the first layer. The planned height of all layers is taken to be that of the first bead above the
-/// ground at its start, and the cross-section of planned height and width counts as commanded without
-/// correction. Over ground that slopes, as the bed does under a tool axis that leans, the height is the first
-/// bead's cross-section over the width that is stated; without one it is the rise to the second layer, up to
-/// which beads are taken to be twice as wide as high. There a first bead begins at its planned underside if
-/// the bed comes within half a layer of that anywhere under it, since it hangs on its foot; else it falls
-/// onto the highest of the bed under it. Where the mean of the bed under it is higher, it stands on that.
-/// Pressed beads stand on the bed under their middle.
+/// Deposits beads into a height map with the growth of a `GrowthPlant`: upwards by volume over width from the
+/// surface below, and not up to the nozzle. Layers and beads are recognised by the motions alone. A bead ends
+/// where the next motion does not continue it; a layer ends where the nozzle is higher by half of the first
+/// layer. The planned height of all layers is taken to be that of the first bead above the ground at its
+/// start, and the cross-section of planned height and width counts as commanded without correction. Over
+/// sloping ground, such as the bed under a leaning tool axis, the height is the first bead's cross-section
+/// over the stated width. Without a stated width the height is the rise to the second layer; until then beads
+/// are taken to be twice as wide as high. Over sloping ground a first bead begins at its planned underside if
+/// the bed under the bead comes within half a layer of this underside at any point, since the foot holds the
+/// bead. Otherwise the bead falls onto the highest point of the bed under it. If the mean of the bed under
+/// the bead is higher, the bead stands on the mean. Pressed beads stand on the bed under their middle.
 ///
-/// Of a pressed process (`PlantSettings::pressed`) the nozzle makes the top: the section of a bead is a
-/// stadium between the ground under its middle and the nozzle, as wide as its volume, and settles after that.
-/// Stand-off, levelling, an offset along the bead and detached pieces have no effect on it.
+/// In a pressed process (`PlantSettings::pressed`) the nozzle forms the top: the section of a bead is a
+/// stadium between the ground under its middle and the nozzle, with the width that the volume requires, and
+/// settles afterwards. Stand-off, levelling, an offset along the bead and detached pieces have no effect on
+/// it.
 ///
-/// A bead has one height across its width: where it reaches beyond what it stands on, it bridges the gap.
-/// Where a bead crosses an earlier one of its own layer, the earlier one grows further.
+/// A bead has one height across its width: where it reaches beyond its support, it bridges the gap. Where a
+/// bead crosses an earlier one of its own layer, the earlier one grows further.
 ///
-/// A bead is deposited only when it has ended, because its ends and the levelling depend on all of it. The
-/// feeder's dead time and lag act on the cross-section as commanded over machine time; between beads the last
-/// command holds. The same motions give the same heights. The cost is proportional to the number of cells
-/// that beads cover.
+/// A bead is deposited only when it has ended, because its ends and the levelling depend on the whole bead.
+/// The feeder's dead time and lag act on the cross-section as commanded over machine time; between beads the
+/// last command holds. The same motions give the same heights. The cost is proportional to the number of
+/// cells that beads cover.
 class GrownDeposit {
  public:
   /// @param ground  initial heights, known in all cells
   GrownDeposit(HeightMap ground, PlantSettings plant, const GrownDepositSettings& settings);
 
-  /// Adds a piece. One without volume or length deposits nothing.
+  /// Adds a piece. A piece without volume or length deposits nothing.
   /// @throws InvalidInput if a piece is not finite, or its volume is negative
   void lay(const GrownPiece& piece);
   /// Ends the bead under way and deposits it.
@@ -72,7 +72,7 @@ class GrownDeposit {
   bool isDeposited(std::size_t cell) const { return deposited_in_[cell] > 0; }
 
  private:
-  /// Positions along a bead, and what is commanded there.
+  /// Positions along a bead, and the commanded values there.
   struct Stations {
     double length_mm = 0.0;
     std::vector<Point3> place;
@@ -111,7 +111,7 @@ class GrownDeposit {
   std::size_t layer_ = 0;
   std::size_t beads_ = 0;            ///< number of beads of the layer so far
   double planned_mm_ = 0.0;          ///< height of a layer; 0 before the first bead
-  bool is_planned_guessed_ = false;  ///< whether the second layer is still to tell it
+  bool is_planned_guessed_ = false;  ///< whether the second layer will determine it
   double layer_z_mm_ = 0.0;          ///< height of the nozzle at the layer's first bead
   double layer_start_s_ = 0.0;       ///< time at which the layer began
   double layer_s_ = 0.0;  ///< time from the start of the layer below to that of this one; 0 for the first

@@ -35,7 +35,7 @@ struct PlantSettings {
   double clog = 0.0;        ///< share of the gain that is lost to a clog
   int clog_at_layer = 0;    ///< first layer of the clog, from 1; 0: none
   int detach_at_layer = 0;  ///< layer, from 1, before which the middle 30 mm of each bead break off; 0: none
-  int seed = 1;             ///< of the random part
+  int seed = 1;             ///< seed of the random part
 };
 
 /// Adds the keys plant.*.
@@ -69,8 +69,8 @@ class GrowthPlant {
  public:
   explicit GrowthPlant(PlantSettings settings);
 
-  /// Heights after the bead was deposited onto the given ones [mm]. Without deviations these grow by exactly
-  /// the planned height times (1 + correction).
+  /// Heights after the bead was deposited onto the given ones [mm]. Without deviations the heights grow by
+  /// exactly the planned height times (1 + correction).
   std::vector<double> afterBead(const PlantBead& bead, std::vector<double> heights) const;
 
   /// Growth over commanded growth at a position on a bead: gain, wear, clog, ends and wave, without the
@@ -80,7 +80,7 @@ class GrowthPlant {
   double randomAt(const PlantBead& bead, double along_mm) const;
   /// Share of a layer's height by which it settles.
   double settling(const PlantBead& bead) const;
-  /// How much higher the nozzle is than it should be [mm].
+  /// Excess height of the nozzle [mm].
   double nozzleAbove() const;
 
   const PlantSettings& settings() const { return settings_; }

@@ -31,12 +31,12 @@ struct FollowingSettings {
 /// Adds the keys following.tolerance_mm and following.look_ahead_mm.
 void describe(SettingsSchema& schema, FollowingSettings& settings);
 
-/// Determines from reported positions how far along a toolpath the nozzle is. This never goes back, and all
-/// motions before it count as run.
+/// Determines from reported positions how far along a toolpath the nozzle is. The position never goes back,
+/// and all motions before it count as run.
 ///
 /// A reported position is assigned to the nearest point of the first stretch of toolpath ahead that passes
-/// within the tolerance. The assignment is accepted at once if the nozzle has come there along the toolpath,
-/// as it does if reports are dense or include every corner. Otherwise it is a guess. A guess is accepted when
+/// within the tolerance. The assignment is accepted at once if the nozzle has moved there along the toolpath,
+/// as with dense reports or reports at every corner. Otherwise it is a guess. A guess is accepted when
 /// `kSureOnTheWay` reports in a row have continued from it along the toolpath; or when `kSureAhead` reports
 /// in a row, each at least a tolerance from the one before, were on the toolpath ahead of it, at any
 /// distance. Therefore crossings, neighbouring lines, stray reports and motions that are not of the toolpath
@@ -45,7 +45,7 @@ void describe(SettingsSchema& schema, FollowingSettings& settings);
 /// layers.
 ///
 /// The cost of a report is proportional to the number of motions up to the point found; off the toolpath, to
-/// that within the look-ahead.
+/// the number within the look-ahead.
 class PathFollower {
  public:
   static constexpr int kSureOnTheWay = 3;
@@ -55,8 +55,8 @@ class PathFollower {
   /// @throws InvalidInput as `validate`
   PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
 
-  /// States that the nozzle is at the beginning of a path or after it. Until it is found, it is searched for
-  /// up to that distance ahead (at least the one of the settings).
+  /// States that the nozzle is at the beginning of a path or after it. Until the nozzle is found, it is
+  /// searched for up to `look_ahead_mm` ahead (at least the distance of the settings).
   /// @param path  number, counted through all layers; the number of paths for the end
   void begin(std::size_t path, double look_ahead_mm);
 
@@ -96,7 +96,7 @@ class PathFollower {
   Point3 tip_ = Point3::Zero();  ///< position of the nozzle when `place_` was accepted
   std::optional<Guess> guess_;
   double look_ahead_mm_;
-  bool is_found_ = false;  ///< whether it was found since the beginning
+  bool is_found_ = false;  ///< whether the nozzle was found since `begin`
 };
 
 }  // namespace lamina

@@ -20,8 +20,8 @@ struct RadiusTrial {
 
 /// The radius with which a model would have the volume `volume_mm3`, by trials with other radii: the
 /// interpolating polynomial R(V) through the four trials nearest to it in volume, or through all if there are
-/// fewer. Meant for models that deposit a ball per step whatever is there already; `VoxelDeposit` deposits
-/// the volume that it is given and needs no such radius.
+/// fewer. Meant for models that deposit a ball per step regardless of existing material; `VoxelDeposit`
+/// deposits the volume that it is given and needs no such radius.
 /// @throws InvalidInput if there are fewer than two trials, or two of the same volume
 double calibratedRadius(std::vector<RadiusTrial> trials, double volume_mm3);
 

@@ -27,9 +27,9 @@ ToolAxisMotion toolAxisDrop(const Path& path, std::size_t waypoint);
 /// bead's cross-section times the length, or that of the drop's disc.
 std::vector<ToolAxisMotion> toolAxisMotions(const Path& path);
 
-/// The box of what is deposited: that of the motions that deposit, enlarged on all sides by five radii of the
-/// thickest strand (or by the reach, if that is less) and a voxel, but not below the bed. Empty if nothing is
-/// deposited.
+/// The box of the deposit: the bounding box of the depositing motions, enlarged on all sides by five radii of
+/// the thickest strand (or by the reach, if that is less) and a voxel, but not below the bed. Empty if
+/// nothing is deposited.
 Box3 depositBox(const Toolpath& toolpath, const DepositionSettings& settings);
 
 /// Memory that `depositedVoxels` needs for the voxels [bytes], estimated by following the toolpath.

@@ -26,13 +26,13 @@ struct ToolAxisMotion {
   double radius_mm = 0.0;
 };
 
-/// What has become of the extruded material, in volumes of voxels [mm³]. The extruded volume is the sum of
-/// deposited, held, excess and outside.
+/// Outcome of the extruded material, in volumes of voxels [mm³]. The extruded volume is the sum of deposited,
+/// held, excess and outside.
 struct DepositTotals {
   double path_mm = 0.0;  ///< length of motions that deposited something
   double extruded_mm3 = 0.0;
   double deposited_mm3 = 0.0;
-  double excess_mm3 = 0.0;   ///< for which there was no room within reach
+  double excess_mm3 = 0.0;   ///< volume without room within reach
   double outside_mm3 = 0.0;  ///< extruded outside the frame
   double held_mm3 = 0.0;     ///< less than a voxel, kept for the next portion
 };
@@ -40,20 +40,20 @@ struct DepositTotals {
 /// Whether the height of the top is stored for each column of voxels: 4 bytes a column.
 enum class TopHeights { None, Kept };
 
-/// Deposits motions of a nozzle into voxels, one after the other, so that the volume deposited is the volume
-/// extruded (the deposition of VOLCO [Gleadall2018]). The nozzle halts every 0.51 radii of the strand
+/// Deposits motions of a nozzle into voxels, one after the other; the deposited volume is the extruded volume
+/// (the deposition of VOLCO [Gleadall2018]). The nozzle halts every 0.51 radii of the strand
 /// (`deposition.step`). At each halt the portion extruded since the last one fills the open voxels nearest to
 /// a centre, which lies one radius along the tool axis from the tip. Voxels are not filled if they lie behind
 /// the plane through the tip perpendicular to the tool axis (on the side of the nozzle), lie below the bed,
 /// or are solid already. As a result strands are round in the air and flat under the nozzle and on the bed,
 /// and material spreads where strands cross.
 ///
-/// What is left of a portion after whole voxels is kept for the next one, so that the deposited volume
-/// differs from the extruded one by less than a voxel. Material for which there is no room within
+/// The remainder of a portion below a whole voxel is kept for the next portion: the deposited volume differs
+/// from the extruded volume by less than a voxel. Material for which there is no room within
 /// `deposition.reach_mm` counts as excess and is not deposited later. Nothing is deposited outside the frame;
 /// material of strands outside the frame, seen along z, counts as outside. Among voxels at the same distance,
-/// the sides of the strand are preferred by turns from portion to portion; so the result depends on the
-/// motions and their order alone.
+/// the sides of the strand are preferred by turns from portion to portion: the result depends on the motions
+/// and their order alone.
 ///
 /// The cost is proportional to the number of voxels deposited; where material has to go far, the search
 /// around the full region adds to it. The memory is that of the grid (`VoxelGrid`: bricks where something is
@@ -70,7 +70,7 @@ class VoxelDeposit {
   VoxelDeposit(VoxelDeposit&&) noexcept;
   VoxelDeposit& operator=(VoxelDeposit&&) noexcept;
 
-  /// Deposits a motion. One without volume deposits nothing.
+  /// Deposits a motion. A motion without volume deposits nothing.
   /// @throws InvalidInput if the motion is not finite or farther out than 1 km; if the volume or radius is
   ///   negative; if the strand is thicker than `kThickestStrand`; if a tool axis is not of unit length
   void lay(const ToolAxisMotion& motion);

@@ -17,7 +17,8 @@ struct SlidingModeGains {
   double k1 = 64.4;    ///< [1/s]
   double k2 = 1019.1;  ///< [1/s²]
   double k3 = 7945.8;  ///< [1/s³]
-  /// Greatest disturbance, as an acceleration, that it compensates for [rad/s²]; L, not published.
+  /// Greatest disturbance, as an acceleration, that the controller compensates for [rad/s²]; L, not
+  /// published.
   double reach = 30.0;
   /// Magnitude of sigma within which the response to it is linear [rad/s]; not published.
   double boundary = 0.3;
@@ -37,8 +38,8 @@ struct TrackingError {
 /// Value of sigma for each crank [rad/s]; 0 on the sliding surface.
 CrankAngles slidingSurface(const SlidingModeGains& gains, const TrackingError& error);
 
-/// The accelerations that the controller demands of the cranks [rad/s²]. Its torque is the one with which a
-/// platform without friction accelerates so.
+/// The accelerations that the controller demands of the cranks [rad/s²]. The controller's torque gives a
+/// platform without friction these accelerations.
 CrankAngles askedAccelerations(const SlidingModeGains& gains, const TrackingError& error);
 
 /// Poles of the error on the sliding surface [1/s]: the roots of s³ + k1 s² + k2 s + k3, ascending by real

@@ -24,14 +24,14 @@ class TrackingReference {
  public:
   virtual ~TrackingReference() = default;
   virtual double duration() const = 0;  ///< [s]
-  /// The desired state at a time: before 0 that at the start, after the duration that at the end.
+  /// The desired state at a time: that of the start before 0, that of the end after the duration.
   /// @throws Unreachable stating the time if the platform cannot be there
   virtual ReferenceState at(double time_s) const = 0;
 };
 
 /// A toolpath that is run from rest to rest between waypoints. From one waypoint to the next the nozzle turns
-/// by the shortest rotation, in proportion to its motion. If a path begins with another orientation than the
-/// one before ended with, the nozzle turns on the first motion.
+/// by the shortest rotation, in proportion to its motion. If a path does not begin with the orientation at
+/// the end of the previous path, the nozzle turns on the first motion.
 class ToolpathReference final : public TrackingReference {
  public:
   /// @param toolpath  must outlive the reference

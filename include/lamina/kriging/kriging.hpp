@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// How the responses at two points are correlated, by their distance d in each variable. All are 1 at
-/// distance 0; ranges are in standard deviations of the variables over the samples.
+/// Correlation of the responses at two points, by their distance d in each variable. All correlations are 1
+/// at distance 0; ranges are in standard deviations of the variables over the samples.
 enum class Correlation {
   Exponential,         ///< exp(-sum |d|/range), a product over variables: continuous, not smooth
   SquaredExponential,  ///< exp(-r²/2) with r² = sum (d/range)²: smooth without bounds
@@ -41,7 +41,7 @@ void describe(SettingsSchema& schema, KrigingSettings& settings);
 /// polynomial, or no maximum of their likelihood is found, `fixed_range` is used.
 SurrogateFit krigingFit(const KrigingSettings& settings);
 
-/// The same, with the default settings changed by keys kriging.* as text.
+/// As above, with the default settings changed by keys kriging.* as text.
 /// @throws InvalidConfig naming key, value and bound
 SurrogateFit krigingFit(const std::vector<SettingText>& settings);
 

@@ -18,13 +18,13 @@ struct Criterion {
   Sense sense = Sense::Minimise;
 };
 
-/// The criteria of a decision, one for each response. Unless `weights` states another weight, that of
-/// under-fill and volume error is 3 and that of all other responses 1 ([Guacheta2021, section 4.4] leaves the
-/// weights open).
+/// The criteria of a decision, one for each response. Unless `weights` states another weight, under-fill and
+/// volume error have the weight 3 and all other responses the weight 1 ([Guacheta2021, section 4.4] leaves
+/// the weights open).
 /// @param weights  names of responses, and their weights as text
 /// @param maximised  names of responses of which more is better
-/// @throws InvalidConfig naming what is given, if a name is that of no response, or a weight is no number
-///   from 0
+/// @throws InvalidConfig naming the entry, if its name is no response, or its weight is no number of 0 or
+///   more
 std::vector<Criterion> criteriaOf(const std::vector<std::string>& response_names,
                                   const std::vector<SettingText>& weights,
                                   const std::vector<std::string>& maximised);
@@ -32,8 +32,8 @@ std::vector<Criterion> criteriaOf(const std::vector<std::string>& response_names
 /// Chooses among alternatives by their responses, as `decide` of `decision.hpp` does by costs. Responses of
 /// weight 0 are left out, and those to be maximised enter with their sign changed.
 /// @param responses  for each alternative, in the order of the criteria
-/// @throws InvalidInput naming alternative and response if a response is not finite whose weight is not 0;
-///   otherwise as `decide` of `decision.hpp`
+/// @throws InvalidInput naming alternative and response if a response with a weight other than 0 is not
+///   finite; otherwise as `decide` of `decision.hpp`
 Decision decide(const std::vector<Criterion>& criteria, const std::vector<std::vector<double>>& responses,
                 DecisionMethod method);
 

@@ -22,10 +22,9 @@ struct Decision {
 /// Chooses an alternative [Guacheta2021, eq. 4.12 to 4.14]. Each cost is divided by its greatest magnitude
 /// over all alternatives; the distance of two alternatives is sqrt(sum over costs of weight * difference^2).
 ///
-/// Linmap measures from the ideal 0, where a cost has no negative value; otherwise (a response to be
-/// maximised, with its sign changed) from its least value. Topsis: the ideal is the least of each cost, the
-/// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere has no
-/// influence.
+/// Linmap: the ideal of a cost is 0 if no value is negative; otherwise (a response to be maximised, with its
+/// sign changed) it is the least value. Topsis: the ideal is the least value of each cost, the worst the
+/// greatest; if both coincide, all indices are 1. A cost that is 0 everywhere has no influence.
 ///
 /// @param costs  for each alternative; less is better
 /// @param weights  one for each cost, none negative, not all 0

@@ -39,9 +39,9 @@ double lowOf(const Variable& variable);
 double highOf(const Variable& variable);
 
 /// Checks the variables of a search.
-/// @throws InvalidConfig if there is no variable; naming the variable if it has no name or that of another
-///   one, if bounds are not finite or not in order, if integer bounds are not whole, if there are fewer than
-///   two levels or choices, if levels are not finite or do not ascend, or if a choice stands twice
+/// @throws InvalidConfig if there is no variable; naming the variable if it has no name or the name of
+///   another one, if bounds are not finite or not in order, if integer bounds are not whole, if there are
+///   fewer than two levels or choices, if levels are not finite or do not ascend, or if a choice stands twice
 void validate(const DesignSpace& space);
 
 /// Checks that a point lies in the space.
@@ -60,7 +60,7 @@ DesignPoint randomPoint(const DesignSpace& space, Random& random);
 std::string textOf(const Variable& variable, double value);
 
 /// The value that a text stands for.
-/// @throws InvalidInput naming variable and text if it is none of its values
+/// @throws InvalidInput naming variable and text if the text is none of the variable's values
 double valueOf(const Variable& variable, const std::string& text);
 
 }  // namespace lamina

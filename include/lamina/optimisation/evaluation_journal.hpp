@@ -21,14 +21,14 @@ enum class EarlierJournal {
 /// The file in which evaluations are recorded.
 struct JournalSettings {
   std::string path;  ///< empty: only in memory
-  /// Text that changes whenever anything changes that responses depend on, apart from the point.
+  /// Text that changes with anything on which responses depend, apart from the point.
   std::string fingerprint;
   EarlierJournal earlier = EarlierJournal::GoOn;
 };
 
 /// An evaluator that tries no point twice, and records each evaluation in a file, the journal, as soon as it
-/// is done. With the journal of a run that was stopped, the same search with the same seed goes on where it
-/// was and ends as if it had never stopped.
+/// is done. With the journal of a run that was stopped, the same search with the same seed continues from
+/// there, with the result of an uninterrupted run.
 ///
 /// The file has one JSON object a line. The first is the header: fingerprint, variables, and names of the
 /// responses. Each further line is an evaluation: "point", and "responses" or "error". A last line without

@@ -47,7 +47,7 @@ std::vector<DesignPoint> fullFactorial(const DesignSpace& space, const std::vect
 /// remainder. Among these designs, exchanges of values seek one whose nearest points are far apart: they
 /// minimise the sum of all distances to the power of -15 [Morris1995]. Points that would coincide are
 /// replaced by random ones.
-/// @throws InvalidConfig if there are fewer than 2 points, or more than the space has different ones
+/// @throws InvalidConfig if there are fewer than 2 points, or more than the space has
 std::vector<DesignPoint> latinHypercube(const DesignSpace& space, std::size_t count, std::uint64_t seed);
 
 }  // namespace lamina

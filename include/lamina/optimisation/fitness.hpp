@@ -14,8 +14,8 @@
 namespace lamina {
 
 /// Several objectives as one number: the sum of weight times response over the mean of the response in the
-/// design of experiments [Vega2023, eq. 7 and 14]. It is to be minimised or maximised as the first objective
-/// with a weight is; objectives of the opposite sense are subtracted.
+/// design of experiments [Vega2023, eq. 7 and 14]. It is to be minimised or maximised like the first
+/// objective that has a weight; objectives of the opposite sense are subtracted.
 class Fitness {
  public:
   /// Objectives of weight 0 do not count.
@@ -47,8 +47,8 @@ class Fitness {
   std::vector<Term> terms_;
 };
 
-/// Each point once, in order of first appearance, with the mean of each response over the evaluations of it
-/// that have a value. Failed evaluations are left out; so are those without any response.
+/// Each point once, in order of first appearance, with the mean of each response over the point's evaluations
+/// that have a value. Failed evaluations and those without any response are left out.
 std::vector<Evaluation> withoutReplicates(const std::vector<Evaluation>& samples);
 
 /// The index of the evaluation of least cost among those that meet all constraints and have all responses

@@ -20,10 +20,10 @@ struct FractionalFactorial {
 };
 
 /// A design of two levels, low and high, of each variable. Variables without a generator take all
-/// combinations of both, in standard order with the last one fastest. The others follow from them: "d=abc"
-/// sets the fourth variable high where the product of the first three signs is positive, "d=-abc" where it is
-/// negative. Letters a, b, c ... are the variables in order. The levels of Continuous and Integer variables
-/// are their bounds.
+/// combinations of both, in standard order with the last one fastest. The other variables follow from their
+/// generators: "d=abc" sets the fourth variable high where the product of the first three signs is positive,
+/// "d=-abc" where it is negative. Letters a, b, c ... are the variables in order. The levels of Continuous
+/// and Integer variables are their bounds.
 /// @param generators  separated by commas or spaces; none for the full two-level factorial
 /// @throws InvalidConfig naming the variable if one has more than two levels or choices (mixed levels need a
 ///   full factorial), or the generator if it cannot be read, gives a variable twice, refers to one that has a

@@ -15,7 +15,7 @@ namespace lamina {
 struct GeneticSettings {
   int individuals = 100;
   int generations = 100;
-  double mutation_probability = 0.6;  ///< that a child is changed in one variable
+  double mutation_probability = 0.6;  ///< probability that a child is changed in one variable
   double mutation_step = 0.5;         ///< greatest change, as a share of the variable's range
 };
 

@@ -32,16 +32,16 @@ struct Nsga2Settings {
   double mutation_rate = 0.02;   ///< Blend: share of a mutant's variables that change; at least one does
   double mutation_step = 0.1;    ///< Blend: standard deviation, as a share of a variable's range
 
-  double crossover_probability = 0.95;  ///< Sbx: that a pair is crossed
+  double crossover_probability = 0.95;  ///< Sbx: probability that a pair is crossed
   double crossover_index = 10.0;        ///< Sbx: the greater, the nearer children are to their parents
-  double mutation_probability = 0.01;   ///< Sbx: that a variable changes
+  double mutation_probability = 0.01;   ///< Sbx: probability that a variable changes
   double mutation_index = 50.0;         ///< Sbx: the greater, the smaller the steps
 
   /// Points of the first generation that come before corners and random ones; as many as the population
   /// holds. The result is never worse than they are: none of them dominates a point of the front.
   std::vector<DesignPoint> first_points;
   /// Reference point that bounds the hypervolume: the responses of the objectives, in order. Empty: the worst
-  /// response of each among the feasible points of the first generation that has any.
+  /// response of each objective in the first generation that has feasible points, among these.
   std::vector<double> reference;
 };
 
@@ -51,10 +51,10 @@ void describe(SettingsSchema& schema, Nsga2Settings& settings);
 /// State of a search after a generation.
 struct Generation {
   int index = 0;                  ///< 0 is the random one
-  int evaluations = 0;            ///< number so far, with those that failed
-  int failed = 0;                 ///< number so far
+  int evaluations = 0;            ///< number of evaluations so far, including failed ones
+  int failed = 0;                 ///< number of failed evaluations so far
   double hypervolume = 0.0;       ///< of all points tried so far; never falls but by rounding
-  std::vector<Evaluation> front;  ///< feasible points of the population that no other of it dominates
+  std::vector<Evaluation> front;  ///< feasible points that no other point of the population dominates
 };
 
 /// Called with each generation when it is done.
@@ -79,9 +79,9 @@ void validate(const SearchProblem& problem, const Nsga2Settings& settings);
 
 /// Non-dominated sorting genetic algorithm [Deb2002]. Each generation derives new points from the population,
 /// tries them, and keeps the best of old and new ones by front and then by crowding. The same seed gives the
-/// same result, whatever the number of threads. A point that cannot be tried, or one objective of which is
-/// not finite, counts as an evaluation, is recorded with its error, and becomes a parent only if nothing
-/// better is left.
+/// same result, whatever the number of threads. A point that cannot be tried, or has an objective that is not
+/// finite, counts as an evaluation, is recorded with its error, and becomes a parent only if nothing better
+/// is left.
 /// @param listener  may be empty
 /// @throws as `validate`; Cancelled; what the evaluator throws
 FrontSearch searchFront(const SearchProblem& problem, const Nsga2Settings& settings,

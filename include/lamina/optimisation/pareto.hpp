@@ -29,9 +29,9 @@ Score scoreOf(const Goals& goals, const std::vector<std::string>& response_names
 /// Indices of scores of which none is better than another.
 using Front = std::vector<std::size_t>;
 
-/// All scores in fronts, the best one first, by constraint-dominance [Deb2002]: feasible scores by
-/// Pareto dominance; after them infeasible ones, those of equal violation together, by how little they
-/// violate; last, in one front, those that could not be tried. No front is empty.
+/// All scores in fronts, the best one first, by constraint-dominance [Deb2002]: feasible scores by Pareto
+/// dominance; after them infeasible scores by increasing violation, equal violations in one front; last, in
+/// one front, scores of points that could not be tried. No front is empty.
 std::vector<Front> frontsOf(const std::vector<Score>& scores);
 
 /// The feasible scores that no other feasible one dominates, in order; empty if none is feasible. Of equal

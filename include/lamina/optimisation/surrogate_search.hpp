@@ -20,14 +20,14 @@ namespace lamina {
 /// How the next point to be tried is chosen.
 enum class Proposal {
   Predicted,            ///< best predicted fitness where all predicted responses keep to their intervals
-  ExpectedImprovement,  ///< greatest expected gain over the best point known, times how probably it is
-                        ///< allowed
+  ExpectedImprovement,  ///< greatest expected gain over the best known point, times the probability that it
+                        ///< is allowed
 };
 
 /// What follows if a proposed point cannot be tried.
 enum class FailedProposal {
   Avoid,  ///< another point is proposed, not near it
-  Stop,   ///< the search ends, so that the point can be measured
+  Stop,   ///< the search ends, for the point to be measured
 };
 
 /// Settings of a search that learns from the points it tried.
@@ -107,7 +107,7 @@ struct SurrogateSearch {
 /// Fits a surrogate to each response, proposes a point, tries it, adds it to the samples, and repeats
 /// [Vega2023, chapter 6]; expected improvement as in [Jones1998], with constraints as in [Schonlau1997].
 /// Missing responses of samples are predicted from samples that have them. Fitness is relative to the means
-/// of the design, so that it is comparable between iterations.
+/// of the design: it is comparable between iterations.
 /// @param listener  may be empty
 /// @throws InvalidConfig as `validate`, `requireConsistent`, `Fitness` and the designs; InvalidInput if a
 ///   sample lies outside the space, or too few could be tried to fit a surrogate; Cancelled; what the

@@ -14,10 +14,10 @@ namespace lamina {
 
 /// How far and by which steps leaning tool axes may be raised.
 struct RaiseLimits {
-  Point3 up = Point3::UnitZ();  ///< upwards, of unit length [part frame]
-  double most_deg = 60.0;       ///< greatest angle by which a tool axis is raised
-  double step = 0.25;           ///< share of the wanted lean by which a tool axis is raised at a time
-  double reach_mm = 2.0;  ///< length of the run, to both sides, over which its neighbours are raised with it
+  Point3 up = Point3::UnitZ();    ///< upwards, of unit length [part frame]
+  double most_deg = 60.0;         ///< greatest angle by which a tool axis is raised
+  double step = 0.25;             ///< share of the wanted lean by which a tool axis is raised at a time
+  double reach_mm = 2.0;          ///< length of the run, to both sides, over which neighbours are raised too
   double most_deg_per_mm = 10.0;  ///< greatest change of the kept lean along a run
 };
 
@@ -51,7 +51,7 @@ class KeptLean {
   struct Run {
     std::size_t layer = 0;
     std::size_t path = 0;
-    std::vector<double> kept;   ///< share that is kept, by waypoint; empty while all of it is kept everywhere
+    std::vector<double> kept;   ///< share that is kept, by waypoint; empty while the whole lean is kept
     std::vector<double> least;  ///< least share that may be kept, by waypoint
   };
 

@@ -17,12 +17,12 @@ struct OrientedToolpath {
 };
 
 /// Orients the nozzle along a toolpath as the settings say. The tool axis follows from mode, lead and tilt,
-/// smoothing, a limit on its lean and then one on its turn, in this order; about it, the nozzle has the frame
-/// that does not spin (`noSpinFrames`). Points, beads and feeds stay. A run whose orientation is the same at
-/// all waypoints states it once. Travels whose own tool axes lead from the end of one run to the start of the
-/// next keep these. Other travels are interpolated by the shortest rotation, in proportion to their length;
-/// those before the first run and after the last have the orientation of that run. Quaternions do not change
-/// sign from waypoint to waypoint, nor from path to path.
+/// smoothing, the limit on lean and the limit on turn, in this order. About the tool axis, the nozzle has the
+/// frame that does not spin (`noSpinFrames`). Points, beads and feeds stay. A run whose orientation is the
+/// same at all waypoints states it once. Travels whose own tool axes lead from the end of one run to the
+/// start of the next keep their tool axes. Other travels are interpolated by the shortest rotation, in
+/// proportion to their length; those before the first run and after the last have the orientation of that
+/// run. Quaternions do not change sign from waypoint to waypoint, nor from path to path.
 ///
 /// @param toolpath  with the orientations the slicer gave, tool axes against the layers' normals
 /// @param part  mesh that was sliced [mm, part frame]; used in mode wall only

@@ -52,7 +52,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings);
 /// Checks what the bounds of single keys do not cover.
 /// @throws InvalidConfig if the smoothing window is even; or if there is a turn limit together with a lean
 ///   limit between 90 and 180 degrees, as interpolation between two tool axes within such a lean limit may
-///   leave it
+///   exceed the limit
 void requireConsistent(const OrientationSettings& settings);
 
 }  // namespace lamina

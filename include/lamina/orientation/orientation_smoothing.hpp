@@ -14,8 +14,8 @@ namespace lamina {
 /// axes stay. Where an average vanishes, as between opposite tool axes, the tool axis stays. Time is linear
 /// in the waypoints.
 ///
-/// @param window  odd; 1 changes nothing. On a closed path with fewer waypoints it goes round more than once,
-///   and counts waypoints several times.
+/// @param window  odd; 1 changes nothing. On a closed path with fewer waypoints the window wraps around more
+///   than once, and counts waypoints several times.
 /// @throws InvalidConfig if it is even or not positive
 std::vector<Point3> smoothedToolAxes(const std::vector<Point3>& tool_axes, Course course, int window);
 

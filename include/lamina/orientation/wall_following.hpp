@@ -18,8 +18,8 @@ struct WallToolAxes {
 
 /// The tool axis that lies in the wall and across the path, as near to the layer's normal as possible
 /// [Flores2018, figures 42 and 43]. With X the path's tangent in the layer and Y the wall's normal, it is X x
-/// Y or its opposite, whichever points into the layer, so that the direction of the path does not matter. A
-/// wall whose normal is within 30 degrees of the path's direction has no tool axis across the path: such a
+/// Y or its opposite, whichever points into the layer: the direction of the path does not matter. A wall
+/// whose normal is within 30 degrees of the path's direction has no tool axis across the path: such a
 /// waypoint is without a wall.
 ///
 /// @param path  with the orientations the slicer gave, whose tool axes are against the layer's normal

@@ -16,7 +16,7 @@ struct LayerBand {
   double high_mm = 0.0;
 };
 
-/// Numbers of voxels of a layer, which has the slices of the grid whose middles lie in its band.
+/// Numbers of voxels of a layer: in the slices of the grid whose middles lie in the layer's band.
 struct LayerPores {
   LayerBand band;
   std::int64_t solid = 0;
@@ -26,7 +26,7 @@ struct LayerPores {
 
   /// Share of the enclosed voxels in the enclosed and solid ones; 0 if there are none.
   double voidRatio() const;
-  /// Share of the open voxels in all; 0 if there are none.
+  /// Share of the open voxels in all voxels; 0 if there are none.
   double openRatio() const;
 };
 

@@ -9,8 +9,8 @@
 namespace lamina {
 
 /// Shares of a frame's face that are reached through pores from the opposite face, along one axis [Vega2023,
-/// annex J]. A path leads from a voxel to the one ahead in the next layer, or to one of the eight around
-/// that; never sideways within a layer.
+/// annex J]. A path leads from a voxel to the voxel ahead in the next layer, or to one of its eight
+/// neighbours there; never sideways within a layer.
 struct Passage {
   double epci_forward_percent = 0.0;   ///< share of the high face that is reached from the low one
   double epci_backward_percent = 0.0;  ///< share of the low face that is reached from the high one
@@ -31,8 +31,8 @@ struct Passages {
 /// @param axis  0 to 2
 Passage passageAlong(const VoxelGrid& pores, int axis);
 
-/// The passages along all axes, found in parallel. Cost is proportional to the voxels; memory to 2 bits of
-/// them for each axis.
+/// The passages along all axes, found in parallel. Cost is proportional to the voxels; memory is 2 bits per
+/// voxel for each axis.
 Passages passages(const VoxelGrid& pores);
 
 }  // namespace lamina

@@ -25,8 +25,8 @@ struct PoreGroup {
   std::int64_t voxels = 0;
   unsigned faces = 0;  ///< faces of the frame that the group touches, as bits of `faceBit`
   /// Lengths of the axes of the ellipsoid of equal second moments [voxels], longest first: 2 sqrt(5 lambda),
-  /// where lambda are the principal variances of the group. A voxel counts as a cube, which adds 1/12 to
-  /// each.
+  /// where lambda are the principal variances of the group. A voxel counts as a cube, which adds 1/12 to each
+  /// variance.
   std::array<double, 3> axes{};
 
   /// Whether the group touches both faces of the frame along an axis.
@@ -48,8 +48,8 @@ struct PoreRun {
   std::uint32_t group = 0;
 };
 
-/// The pores of a grid, divided into groups. These are in the order of their first voxels, x fastest and z
-/// slowest.
+/// The pores of a grid, divided into groups. The groups are in the order of their first voxels, x fastest and
+/// z slowest.
 struct PoreGroups {
   VoxelFrame frame;
   std::vector<PoreRun> runs;  ///< sorted by z, y, x

@@ -22,21 +22,20 @@ std::string scaffoldMeaning(const std::string& name);
 /// @throws InvalidConfig if there is no such kind; names those there are
 ScaffoldSettings scaffoldDefaults(const std::string& name);
 
-/// The part as a toolpath, on the bed, its low corner where the settings say. The number of layers is that by
-/// which the height is met best; the nozzle runs at the top of each. Travels join the paths.
+/// The part as a toolpath, on the bed, its low corner where the settings say. The number of layers is the one
+/// that best matches the height; the nozzle runs at the top of each. Travels join the paths.
 ///
 /// A sinusoidal scaffold of side L has layers of n filaments y_i(x) = A + i (L - 2 A) / (n - 1) + A f(2 pi B
 /// x / L), x from 0 to L, i from 0 to n - 1, with amplitude A, B cycles, and f the sine or cosine. Layers are
-/// turned about the middle by 90 deg from one to the next, or every two layers if sine and cosine alternate,
-/// which begins with `first_wave`.
-/// If filaments are mirrored, every other one has -A f. Unless `bead_fill` is set, the cross-section of a
-/// bead is pi/4 of its width times height, and 0.98 of it if filaments are mirrored: with these factors the
-/// porosities of [Vega2023, tables 29 and 31] come out.
+/// turned about the middle by 90 deg from one to the next, or every two layers if sine and cosine alternate;
+/// the first wave is `first_wave`. If filaments are mirrored, every other one has -A f. Unless `bead_fill` is
+/// set, the cross-section of a bead is pi/4 of its width times height, and 0.98 of it if filaments are
+/// mirrored: these factors reproduce the porosities of [Vega2023, tables 29 and 31].
 ///
 /// Boxes, cubes, cylinders and specimens are filled inside their perimeters at the density asked for; a bead
 /// is a stadium. Rectilinear lines are those of the infill strategy `zigzag`, rings those of `perimeters`;
-/// solid layers of a gyroid are filled by lines. The gyroid's period is such that its curves have on average
-/// the length that the density asks for.
+/// solid layers of a gyroid are filled by lines. The period of the gyroid gives its curves, on average, the
+/// length that the density requires.
 ///
 /// @throws InvalidConfig naming key, value and bound, also if settings contradict each other: layers higher
 ///   than beads are wide, an amplitude above half the length, mirrored filaments other than sine waves, or a

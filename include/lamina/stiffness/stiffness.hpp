@@ -41,7 +41,7 @@ struct StiffnessResult {
   double modulus_mpa = 0.0;          ///< equivalent modulus
   double imbalance_n = 0.0;          ///< sum of the reactions of nodes at rest and displaced nodes; ideally 0
   float greatest_stress_mpa = 0.0F;  ///< greatest von Mises stress
-  Point3 greatest_stress_at = Point3::Zero();  ///< middle of the element that has it [mm]
+  Point3 greatest_stress_at = Point3::Zero();  ///< middle of the element with that stress [mm]
   int iterations = 0;                          ///< number of iterations of the solver
   double residual = 0.0;                       ///< residual that was reached
   std::vector<DroppedPart> dropped;            ///< pieces of solid that were left out

@@ -25,8 +25,8 @@ void describe(SettingsSchema& schema, SearchSettings& settings);
 bool isOfSurrogateFit(const std::string& key);
 
 /// The search settings of a study: the defaults, changed by the entries of `Study::search` in their order.
-/// For a study with a table alone the search stops at a point that is not in it, so that somebody can measure
-/// it. Keys of the surrogate fit are ignored.
+/// For a study with a table alone the search stops at a point that is not in the table and has to be
+/// measured. Keys of the surrogate fit are ignored.
 /// @throws InvalidConfig naming key, value and bound
 SearchSettings searchSettingsOf(const Study& study);
 

@@ -83,7 +83,7 @@ struct Study {
   Goals goals;
   std::vector<SettingText> search;  ///< settings nsga2.*, surrogate.*, kriging.*; of one key the last counts
   DecisionSettings decision;
-  std::string published_source;  ///< where the values in `published` come from
+  std::string published_source;  ///< source of the values in `published`
   std::vector<PublishedRow> published;
 };
 

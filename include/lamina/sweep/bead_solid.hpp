@@ -44,7 +44,7 @@ class BeadSolid {
 
   /// Bounding box.
   Box3 box() const;
-  /// Boxes that together contain the solid, each that of a piece of at most a given length.
+  /// Boxes that together contain the solid, each the box of a piece of at most `longest_mm`.
   std::vector<Box3> stretchBoxes(double longest_mm) const;
   /// The solid rotated about the z axis of the part.
   BeadSolid turned(double angle_rad) const;
@@ -57,7 +57,7 @@ class BeadSolid {
   void includeEnd(const End& end, Box3& box) const;
 
   bool is_joint_ = false;
-  End start_, end_;           ///< of a joint, the point of the start is the middle
+  End start_, end_;           ///< for a joint, the point of `start_` is the middle
   Point3 along_, side_, up_;  ///< orthonormal axes of the prism
   double flat_across_ = 0.0;  ///< half the straight length of the profile's outline, sideways
   double flat_up_ = 0.0;      ///< half the straight length upwards, of a profile that is higher than wide

@@ -17,7 +17,7 @@ Box3 unionBox(const std::vector<BeadSolid>& solids);
 /// Volume of the union [mm³]. Between the bottoms and tops of the beads it is integrated over the height by
 /// Gauss-Legendre quadrature, in the angle about the middle of the beads. The area at a height is the sum of
 /// the intervals of parallel lines inside the union, 1/20 of the smallest bead apart; each interval is exact.
-/// The lines have that of sixty directions that runs least along beads and their ends. The error is at most
+/// The lines have the direction, of sixty, that runs least along beads and their ends. The error is at most
 /// 0.02 % for level beads, and 0.3 % for beads that are higher than wide. The result is the same for any
 /// number of threads.
 /// @throws Cancelled

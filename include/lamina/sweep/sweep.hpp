@@ -15,7 +15,7 @@ struct Sweep {
   std::vector<Point3> points;  ///< nozzle tip, middle of the bead's top [mm, part frame]; at least two
   /// Opposite of the tool axis on the line to each point, of unit length; the first equals the second.
   std::vector<Point3> up;
-  Bead bead;                   ///< the same for the whole trajectory, whose volume it preserves
+  Bead bead;                   ///< constant along the trajectory, whose volume is preserved
   bool is_loop = false;        ///< whether it ends where it begins, and is mitred there, too
   std::size_t layer = 0;       ///< index of the layer in the toolpath
   std::size_t trajectory = 0;  ///< index of the trajectory, from 0; skirts do not count
@@ -24,8 +24,8 @@ struct Sweep {
 };
 
 /// The sweeps of a toolpath; skirts, supports and travels are left out. A trajectory whose bead varies gets
-/// the mean cross-section, so that its volume is preserved. With the strategies Lines and Revolved each line
-/// is a sweep.
+/// the mean cross-section, which preserves the volume. With the strategies Lines and Revolved each line is a
+/// sweep.
 /// @throws InvalidInput if the toolpath deposits drops
 std::vector<Sweep> sweepsOf(const Toolpath& toolpath, const SweepSettings& settings);
 

@@ -16,7 +16,7 @@ enum class CornerStrategy : std::uint8_t {
   Sections = 3   ///< each trajectory is cut where it would intersect itself; each section is a mitred sweep
 };
 
-/// Height from which the width of a bead is computed that decides whether a trajectory intersects itself.
+/// Height from which the bead width is computed for the test whether a trajectory intersects itself.
 enum class CutHeight : std::uint8_t {
   Bead = 0,      ///< height of the bead
   Absolute = 1,  ///< height of the layer above the bed, as in [Vega2023]; wrong in upper layers

@@ -8,9 +8,9 @@
 
 namespace lamina::cli {
 
-/// For `CLI::Option::check` beside a range, which lets pass what is no number: "nan" is neither below nor
-/// above its bounds.
-/// @return what is wrong; empty if nothing is
+/// For `CLI::Option::check` besides a range check, which accepts "nan": it is neither below nor above the
+/// bounds.
+/// @return the fault; empty if there is none
 inline std::string requireFinite(const std::string& text) {
   return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is not finite; expected a number";
 }

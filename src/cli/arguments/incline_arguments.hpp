@@ -11,12 +11,12 @@
 
 namespace lamina::cli {
 
-/// The command line of `lamina incline` as it was typed. Empty is not given.
+/// The command line of `lamina incline` as typed. Empty values were not given.
 struct InclineArguments {
   std::string program;
   std::string output;
   SettingOptions settings;
-  std::vector<SettingText> options;  ///< those that are settings
+  std::vector<SettingText> options;  ///< options that are settings
   std::string begin_code;            ///< file
   std::string end_code;              ///< file
   bool prints_config = false;

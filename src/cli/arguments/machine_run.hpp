@@ -12,7 +12,7 @@
 
 namespace lamina::cli {
 
-/// What is run, and on which machine, as they were typed.
+/// The input to be run, and the machine, as typed.
 struct MachineRunArguments {
   std::string input;
   std::string machine;  ///< name, profile or file; empty for that of the settings
@@ -22,11 +22,10 @@ struct MachineRunArguments {
 void addMachineRun(CLI::App& subcommand, MachineRunArguments& arguments);
 
 /// The settings with the machine.
-/// @throws InvalidConfig as `validate`; if a program in a robot's language is to run on the gantry, which
-/// nobody chose
+/// @throws InvalidConfig as `validate`; if a program in a robot's language is to run on the default gantry
 JobSettings settingsOnMachine(const SettingOptions& options, const MachineRunArguments& run);
 
-/// The joints that a program holds; of what holds none, those by which the machine would run it.
+/// The joint values of a program; for an input without joint values, those by which the machine would run it.
 /// @throws as the readers of its kind, and `runOn`
 KinematicModelRun runOfInput(const CheckedMachine& machine, const std::string& input,
                              const JobSettings& settings, Progress& progress);

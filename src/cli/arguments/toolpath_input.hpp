@@ -10,7 +10,7 @@
 
 namespace lamina::cli {
 
-/// What a subcommand looks at: a toolpath, and where its part stands on the bed.
+/// Input of a subcommand: a toolpath, and the pose of its part on the bed.
 struct ToolpathInput {
   Toolpath toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
@@ -26,8 +26,8 @@ ToolpathInput readToolpath(const std::string& input, const JobSettings& settings
 /// The toolpath in coordinates of the bed.
 Toolpath onBed(ToolpathInput input);
 
-/// `readToolpath` for what looks along the tool axis: layers and nozzle of a file that states neither lie as
-/// `slicing.plane` says.
+/// `readToolpath` for subcommands that use the tool axis. Layers and nozzle of a file that states neither are
+/// oriented by `slicing.plane`.
 /// @throws InvalidInput if the file states inclined layers other than those of slicing.plane
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings);
 

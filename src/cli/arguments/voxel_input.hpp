@@ -13,7 +13,7 @@
 
 namespace lamina::cli {
 
-/// What a subcommand looks at: voxels, and the layers they were deposited in.
+/// Input of a subcommand: voxels, and the layers in which they were deposited.
 struct VoxelInput {
   VoxelGrid grid;
   std::vector<LayerBand> layers;
@@ -23,7 +23,7 @@ struct VoxelInput {
 /// part (mesh file or name) fills the voxels that it encloses, and has no layers.
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress);
 
-/// The box between two corners, or none of no numbers.
+/// The box between two corners; nothing without numbers.
 /// @param corners_mm  six numbers or none
 /// @throws InvalidInput if the second corner is not above the first along all axes
 std::optional<Box3> cropFrom(const std::vector<double>& corners_mm);

@@ -17,11 +17,11 @@
 
 namespace lamina::cli {
 
-/// What each part of `lamina calibrate` is given on the command line.
+/// Arguments of each part of `lamina calibrate`.
 struct CalibrateArguments {
   std::string recording;
   std::string cell;     ///< calibration file; empty for none
-  std::string sensor;   ///< its name; empty to leave what the file says
+  std::string sensor;   ///< name of the sensor; empty to keep that of the file
   std::string machine;  ///< name, profile or file; empty for that of the settings
   SettingOptions settings;
 };
@@ -42,22 +42,22 @@ void addCalibratedMachine(CLI::App& subcommand, CalibrateArguments& arguments);
 
 /// The machine's own settings of programs, overridden by the file and then one by one.
 /// @throws InvalidConfig, FileError as `applySettings` and `settingsOnMachine`; InvalidConfig if they name
-/// another machine
+///   another machine
 CalibrateSettings calibrateSettingsFrom(const CalibrateArguments& arguments);
 
 /// Reads a folder of tables, or a bag through `lamina-bag-tables` beside this program.
 /// @throws FileError, InvalidInput as `readRecording`; InvalidInput with what that program says
 SensorRecording recordingFrom(const std::string& path);
 
-/// What the calibration file holds so far, or an empty calibration of the machine.
-/// @throws InvalidConfig, FileError as `readCalibration`; InvalidConfig if it is that of another machine
+/// The present calibration of the file, or an empty calibration of the machine.
+/// @throws InvalidConfig, FileError as `readCalibration`; InvalidConfig if it belongs to another machine
 Calibration cellSoFar(const CalibrateArguments& arguments, const MachineSettings& machine);
 
-/// Where the sensor sits as far as is known: as calibrated, else as the machine's description says [mm].
-/// @throws InvalidConfig if neither says it
+/// The known pose of the sensor: as calibrated, otherwise by the machine's description [mm].
+/// @throws InvalidConfig if neither states it
 Eigen::Isometry3d knownSensorPose(const Calibration& cell, const MachineSettings& machine);
 
-/// A method, found now.
+/// The origin of a value found now by a method.
 CalibrationOrigin foundNow(const std::string& method);
 
 /// Writes the calibration file if one was named.

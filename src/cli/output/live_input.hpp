@@ -8,14 +8,14 @@
 
 namespace lamina::cli {
 
-/// Commands to a job that runs, a line each on the standard input: "feed 90", "pause", "resume".
+/// Commands to a running job, one per line of standard input: "feed 90", "pause", "resume".
 class LiveInput {
  public:
-  /// Follows what has been typed since the last call, up to 4096 characters of it, and says of each line
-  /// whether it was taken. Does not wait. A line of more than 4096 characters is not taken.
+  /// Carries out the lines typed since the last call, up to 4096 characters, and reports for each line
+  /// whether it was accepted. Does not wait. A line of more than 4096 characters is refused.
   void follow(StreamSession& session);
 
-  /// Says what the machine has said last, once.
+  /// Reports the machine's last message, once.
   void tell(const StreamSession& session);
 
  private:

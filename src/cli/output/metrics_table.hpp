@@ -7,7 +7,7 @@
 
 namespace lamina::cli {
 
-/// Numbers by row and column; what is not a number is an empty cell.
+/// Numbers by row and column; NaN is an empty cell.
 struct NumberTable {
   std::vector<std::string> columns;
   std::vector<std::string> rows;

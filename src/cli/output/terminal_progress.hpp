@@ -10,7 +10,8 @@
 namespace lamina::cli {
 
 /// Progress on the terminal: one line on standard error, redrawn in place; silent where standard error is no
-/// terminal. Ctrl-C (SIGINT) and SIGTERM cancel the work while it lives. One at a time.
+/// terminal. Ctrl-C (SIGINT) and SIGTERM cancel the work during the object's lifetime. At most one object at
+/// a time.
 class TerminalProgress final : public Progress {
  public:
   TerminalProgress();

@@ -11,19 +11,20 @@
 
 namespace lamina::cli {
 
-/// A robot's program, and from where its rest is to be written; one of line, layer and height.
+/// A robot's program, and where its rest begins; one of line, layer and height.
 struct RobotResume {
   std::string program;
   std::string output;
   std::string machine;  ///< name, profile or file; empty for that of the settings
   std::optional<std::uint64_t> line;
-  std::string file;  ///< of the line, where the program has several; empty for none
+  std::string file;  ///< file of the line, if the program has several; empty for none
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;
   SettingOptions settings;
 };
 
-/// Writes the rest of a robot's program as a program of its own, and says what has to be so before it runs.
+/// Writes the rest of a robot's program as a separate program, and reports the conditions to be met before it
+/// runs.
 /// @throws InvalidInput, InvalidConfig, InvalidProgram, Unreachable, FileError
 void resumeRobot(const RobotResume& resume, OutputFormat format);
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-// Eigen's decompositions of small dense systems, compiled here once, as that takes many seconds.
+// Eigen's decompositions of small dense systems, compiled once, here, as the compilation takes many seconds.
 
 namespace lamina {
 

@@ -6,15 +6,15 @@
 
 namespace lamina {
 
-/// A rotation and how far it is stretched.
+/// A rotation and the trace that it attains.
 struct ClosestRotation {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  double trace = 0.0;  ///< of its transpose times the matrix
+  double trace = 0.0;  ///< trace of the rotation's transpose times the matrix
 };
 
-/// The rotation whose transpose times a matrix has the greatest trace: of the products of points and the
-/// places they go to, the one that leads the points nearest to these places [Kabsch1976]. It is no reflection
-/// even if the matrix is one, or is of rank 2.
+/// The rotation whose transpose times a matrix has the greatest trace. For a sum of products of points and
+/// their targets, it brings the points nearest to the targets [Kabsch1976]. It is never a reflection, even if
+/// the matrix is one, or has rank 2.
 ClosestRotation closestRotation(const Eigen::Matrix3d& matrix);
 
 }  // namespace lamina

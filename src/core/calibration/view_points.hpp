@@ -28,7 +28,7 @@ struct ViewPoints {
   std::vector<Point3> onBed(const Eigen::Isometry3d& nozzle_from_sensor) const;
 };
 
-/// All points of those profiles for whose time the pose of the nozzle is known.
+/// All points of the profiles at whose times the pose of the nozzle is known.
 /// @throws InvalidInput if there are fewer than 100 points
 ViewPoints viewPoints(const SensorRecording& recording, double time_offset_s);
 

@@ -37,7 +37,7 @@ class CellSheet {
     double z;
   };
   /// A cell of a plane layer, in the axes of the index.
-  struct alignas(32) PlaneStation {  // two a line of the cache
+  struct alignas(32) PlaneStation {  // two per cache line
     float u, v;
     float tangent_u, tangent_v;
     float half;  ///< half the cell's length

@@ -44,8 +44,8 @@ std::vector<CellStretch> stretchesOf(const CellRun& run, Belongs belongs) {
   return stretches;
 }
 
-/// The stretch of `stretchesOf` that holds a cell of the run; linear in its cells. It begins anywhere where
-/// all cells of a closed run belong together.
+/// The stretch of `stretchesOf` that holds a cell of the run; linear in its cells. If all cells of a closed
+/// run belong together, it may begin at any cell.
 template <class Belongs>
 CellStretch stretchAround(const CellRun& run, std::size_t cell, Belongs belongs) {
   const std::size_t end = run.first + run.count;

@@ -13,7 +13,7 @@ namespace lamina {
 /// than 60 degrees, cells are indexed by squares in that plane, otherwise by cubes.
 class StationIndex {
  public:
-  static constexpr double kAcross = 0.51;  ///< bead widths that a cell reaches
+  static constexpr double kAcross = 0.51;  ///< reach of a cell across the bead [bead widths]
 
   StationIndex(const LayerCells& cells, double window_layers);
 

@@ -15,12 +15,12 @@
 
 namespace lamina {
 
-/// Finds the cell at a point of a plane layer by a division, without a look at any cell: where a few straight
-/// beads are near. Gives no answer where rounding could decide.
+/// Finds the cell at a point of a plane layer by a division, without examining cells, where only a few
+/// straight beads are near. Gives no answer where rounding could decide.
 class StraightBeads {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  /// The cells near the point have to be asked, one by one.
+  /// The cells near the point must be examined one by one.
   static constexpr std::uint32_t kUnsure = kNone - 1;
 
   /// No beads: all points are unsure.
@@ -56,7 +56,7 @@ class StraightBeads {
 
   std::vector<Stretch> stretches_;
   std::vector<Stretches> sets_;
-  std::vector<std::uint32_t> set_of_;  ///< by square; `kUnsure` where its cells have to be asked
+  std::vector<std::uint32_t> set_of_;  ///< by square; `kUnsure` where cells must be examined
   double unsure_cells_ = 0.0;  ///< distance from where two cells meet within which rounding may decide
   double unsure_widths_ = 0.0;
 };

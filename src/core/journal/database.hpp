@@ -88,13 +88,13 @@ class Database {
 /// Whether SQLite's quick check finds nothing wrong.
 bool isWhole(const Database& database);
 
-/// Moves a damaged database and what belongs to it to a name that is free.
+/// Moves a damaged database and the files that belong to it to a free name.
 /// @return the name
 /// @throws FileError if it cannot be moved
 std::string moveAside(const std::string& path);
 
-/// A transaction: its statements are kept together, or rolled back unless committed. A transaction within
-/// another one is kept when the outer one is.
+/// A transaction: its statements take effect together when committed, and are otherwise rolled back. A
+/// transaction within another one takes effect when the outer one does.
 class Transaction {
  public:
   explicit Transaction(Database& database);

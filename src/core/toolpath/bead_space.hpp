@@ -14,7 +14,7 @@ inline Point3 upAt(const Path& path, std::size_t waypoint) {
   return -(path.orientation.at(waypoint) * Point3::UnitZ());
 }
 
-/// The middle of a bead's cross-section. The nozzle tip moves along the top of the bead, so that it lies half
+/// The middle of a bead's cross-section. The nozzle tip moves along the top of the bead: the middle lies half
 /// the height below the tip.
 /// @param tip  in any frame [mm]
 /// @param up   away from the layer below, of unit length, in the same frame
@@ -36,8 +36,8 @@ inline SectionOutline sectionOutline(const Bead& bead) {
   return {0.5 * bead.width_mm - radius_mm, 0.5 * bead.height_mm - radius_mm, radius_mm};
 }
 
-/// Axes of a bead as columns: along it, across it, and away from the layer, as far as this is perpendicular
-/// to the first. The last axis of a drop, which has no direction along, is the normal.
+/// Axes of a bead as columns: along it, across it, and the component of the layer's normal perpendicular to
+/// the first. The last axis of a drop, which has no direction along, is the normal.
 inline Eigen::Matrix3d beadAxes(const Point3& along, const Point3& normal) {
   constexpr double kUpright = 1e-6;  // sine of the angle to the normal below which a bead goes along it
   Point3 across = normal.cross(along);

@@ -29,7 +29,7 @@ struct DepositedSegment {
   const Bead& bead;
 
   double length() const { return (end - start).norm(); }
-  /// Whether its cross-section has no area, so that nothing is deposited.
+  /// Whether its cross-section has no area: nothing is deposited.
   bool isEmpty() const { return !(bead.width_mm > 0.0 && bead.height_mm > 0.0); }
 };
 

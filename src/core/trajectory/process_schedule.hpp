@@ -15,9 +15,9 @@ namespace lamina {
 /// Times along a timeline at which process outputs are on.
 class ProcessSchedule {
  public:
-  /// How a bead for which lead and lag times leave no time is treated. Laser or wire are not switched on for
-  /// it. That is an error of the settings if the bead is whole, but may happen for the rest of a bead that
-  /// was cut by a pause.
+  /// Treatment of a bead for which lead and lag times leave no time. Laser or wire are not switched on for
+  /// it. For a whole bead this is an error of the settings; for the rest of a bead cut by a pause it is
+  /// allowed.
   enum class Beads : std::uint8_t { Whole, Cut };
 
   ProcessSchedule() = default;

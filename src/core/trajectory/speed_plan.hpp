@@ -53,8 +53,7 @@ struct Waits {
   double averaging_s = 0.0;  ///< least duration of every stop
 };
 
-/// Whether the rest that the plan has at a position is still to come or is over, for a motion that continues
-/// from there.
+/// For a motion that continues from a position of rest: whether the rest is still to come or over.
 enum class RestThere : std::uint8_t { Due, Over };
 
 class SpeedPlan;

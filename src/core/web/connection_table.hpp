@@ -28,8 +28,8 @@ class ConnectionTable {
   ConnectionTable(std::size_t most, std::size_t most_of_client)
       : most_(most), most_of_client_(most_of_client) {}
 
-  /// Adds a connection. If there are too many, a connection that waits for a request is shut down for it, or
-  /// one whose client reads its answer slowly.
+  /// Adds a connection. If there are too many, another one is shut down in its favour: a connection that
+  /// waits for a request, or whose client reads its answer slowly.
   /// @return number of the connection; 0 if it could not be added
   std::uint64_t add(int descriptor, const std::string& client);
 
@@ -37,7 +37,7 @@ class ConnectionTable {
   /// @return false, without effect, if there are too many with that use
   bool use(std::uint64_t number, ConnectionUse use);
 
-  /// Sets how fast its client reads what is sent to it.
+  /// Sets how fast the connection's client reads.
   void setPace(std::uint64_t number, ConnectionPace pace);
 
   /// Removes a connection; afterwards its descriptor may be closed.

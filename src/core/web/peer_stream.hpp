@@ -53,8 +53,8 @@ class PeerSocket {
   /// Number of bytes written that the other host has not received yet.
   std::size_t unsent() const;
 
-  /// Ends the connection in the direction of the client. Bytes that the client still sends are read, as
-  /// otherwise they would make it lose the answer.
+  /// Ends the connection in the direction of the client. Bytes that the client still sends are read: unread
+  /// bytes would make the client lose the answer.
   void close();
 
   int descriptor() const { return descriptor_; }

@@ -15,12 +15,12 @@ std::string headText(const WebResponse& response, bool is_kept);
 /// The answer to a request that is not passed to any route.
 WebResponse plainError(int status, const std::string& code, const std::string& message);
 
-/// Whether the client shows errors as they are: slicers do that send a file by OctoPrint's interface, unless
-/// they ask for JSON by `Accept`.
+/// Whether the client shows errors unchanged. Slicers do that send a file through OctoPrint's interface,
+/// unless they request JSON by `Accept`.
 bool isShownAsText(const HttpHead& request);
 
-/// An error as its message alone; any other answer as it is. Its type has no parameter, because Cura shows
-/// the text of no other type than "text/plain", of which it shows 100 characters.
+/// An error as its message alone; any other answer unchanged. The type is "text/plain" without a parameter:
+/// Cura shows the text of no other type. Cura shows the first 100 characters.
 WebResponse errorAsText(WebResponse response);
 
 }  // namespace lamina

@@ -19,14 +19,14 @@
 
 namespace lamina {
 
-/// An executor whose jobs are goals of an action, and which reports them as `machine_state`. Reports come
-/// from the callbacks of this node.
+/// An executor whose jobs are goals of an action, and which publishes their state as `machine_state`. Reports
+/// are made in the callbacks of this node.
 template <class Action>
 class ActionExecutor : public MachineExecutor {
  public:
   ACTION_DEFINITION(Action)
 
-  /// @param report  takes what the executor says
+  /// @param report  receives the executor's reports
   ActionExecutor(ros::NodeHandle node, const std::string& action, const ExecutorLanguage& language,
                  std::function<void(const ExecutorReport&)> report)
       : name_(language.node),
@@ -58,7 +58,7 @@ class ActionExecutor : public MachineExecutor {
   std::optional<ExecutorReport> seen() const override { return job_.seen(); }
   const lamina_msgs::MachineState& machine() const override { return job_.machine(); }
   bool isThere() const override {
-    // A goal that is sent before both ends know each other is lost without a word.
+    // A goal that is sent before client and server are connected is lost silently.
     return clock_.now() - last_sign_s_ < kLongestSilence && client_.isServerConnected();
   }
   std::string takeUnanswered(double patience_s) override {
@@ -67,14 +67,14 @@ class ActionExecutor : public MachineExecutor {
 
  protected:
   virtual Goal goalOf(const StartOrder& order) const = 0;
-  /// Lines or waypoints that the machine has taken in all.
+  /// Total number of lines or waypoints that the machine has taken.
   virtual std::uint64_t takenThrough(const Result& result) const = 0;
 
  private:
-  static constexpr double kLongestSilence = 2.0;  // [s] of what says five times a second that it is there
+  static constexpr double kLongestSilence = 2.0;  // [s]; signs of life come five times a second
 
   void end(const std::string& order) {
-    // A goal that has not come through yet would begin after the order.
+    // A goal that has not arrived yet would begin after the order.
     if (job_.isAwaited()) return client_.cancelGoal();
     services_.end(order);
   }

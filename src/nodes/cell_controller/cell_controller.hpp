@@ -29,13 +29,13 @@
 
 namespace lamina {
 
-/// The unit of a cell on ROS: takes commands and jobs, orders its executor about, and says where everything
-/// is. Its topics and services: docs/nodes/cell_controller.md.
+/// The unit of a cell on ROS: takes commands and jobs, commands its executor, and publishes the state of the
+/// cell. Its topics and services: docs/nodes/cell_controller.md.
 ///
 /// All callbacks run in one thread, which never waits for the executor.
 class CellController {
  public:
-  /// Waits for the executor's last state as long as its patience says.
+  /// Waits for the executor's last state, at most for the patience of the settings.
   /// @throws FileError if the journal cannot be opened
   CellController(ros::NodeHandle node, const CellControllerSettings& settings);
 
@@ -116,13 +116,13 @@ class CellController {
   double published_s_ = 0.0;
   double resume_looked_s_ = 0.0;
   bool is_queue_published_ = false;
-  AlarmSources raised_by_;  ///< of alarms by other nodes, and those by this one that others may raise too
+  AlarmSources raised_by_;  ///< of alarms by other nodes, and of this node's that others may raise too
   bool is_executor_lost_ = false;
   int silent_ticks_ = 0;
   bool is_remote_allowed_ = false;
   bool is_local_start_due_ = false;   ///< after an emergency stop
-  std::optional<double> feed_ = 1.0;  ///< that is in force; nothing if that is not known
-  bool is_feed_asked_ = false;        ///< and not answered
+  std::optional<double> feed_ = 1.0;  ///< feed in force; nothing if it is not known
+  bool is_feed_asked_ = false;        ///< whether a change of feed is not answered yet
   double feed_asked_s_ = 0.0;
   std::optional<std::int64_t> followed_;  ///< execution
   double execution_began_s_ = 0.0;        ///< since 1970

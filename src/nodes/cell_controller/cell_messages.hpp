@@ -11,11 +11,11 @@
 
 namespace lamina {
 
-/// The unit, its job and how far that is, without a header.
+/// The state of the unit, its job and the job's progress, without a header.
 lamina_msgs::PackmlStatus toMessage(const ProductionCell& cell, const std::vector<UnitMode>& modes,
                                     HoldRule rule, double now_s);
 
-/// Of the lines of its job that were taken, 0 to 1.
+/// Fraction of the job's lines that were taken, 0 to 1.
 double fractionOf(const ExecutorReport& report);
 
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm);

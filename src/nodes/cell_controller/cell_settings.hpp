@@ -25,11 +25,11 @@ struct CellControllerSettings {
   MachineSettings machine;
   ExecutorKind executor = ExecutorKind::Stream;
   Placement placement = Placement::Centre;  ///< of toolpaths on the bed
-  DriveCheckSettings drive;                 ///< by which toolpaths are checked
+  DriveCheckSettings drive;                 ///< settings of the check of toolpaths
   std::string folder = "cell";              ///< of journal and files
   double patience_s = 2.0;                  ///< for the executor: at the start, and for each order
   std::string corrections_folder;           ///< of the streamer; empty for none
-  bool is_held_on_the_way = true;           ///< Hold is accepted on the way to and from Execute
+  bool is_held_on_the_way = true;           ///< Hold is accepted in transitions to and from Execute
   bool is_start_local_after_stop =
       true;                 ///< the first Start after an emergency stop does not come from the PLC
   bool needs_loop = false;  ///< jobs start only with a height loop that may run, and clocks that agree
@@ -41,7 +41,7 @@ struct CellControllerSettings {
 /// Adds the node's keys.
 void describe(SettingsSchema& schema, CellControllerSettings& settings);
 
-/// Whether the next Start has to come from somebody else than the PLC, which has raised this alarm.
+/// Whether, after this alarm of the PLC, the next Start must not come from the PLC.
 bool demandsLocalStart(const PlcAlarm& alarm, const CellControllerSettings& settings);
 
 }  // namespace lamina

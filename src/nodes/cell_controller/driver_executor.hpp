@@ -12,12 +12,12 @@
 
 namespace lamina {
 
-/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). One that was cut off is
-/// resumed on the bead, by where the machine came to rest.
+/// The node trajectory_driver as the cell's executor: its jobs are toolpaths (.csv). An interrupted job is
+/// resumed on the bead at which the machine came to rest.
 class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAction> {
  public:
   /// @param placement  of jobs on the bed
-  /// @param report  takes what the executor says
+  /// @param report  receives the executor's reports
   DriverExecutor(const ros::NodeHandle& node, Placement placement,
                  std::function<void(const ExecutorReport&)> report);
 

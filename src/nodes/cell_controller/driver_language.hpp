@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// How what trajectory_driver says is to be taken.
+/// How messages of trajectory_driver are interpreted.
 ExecutorLanguage driverLanguage();
 
 }  // namespace lamina

@@ -18,17 +18,17 @@ namespace lamina {
 /// The services by which an executor's job is paused, resumed, ended and changed. Calls return at once.
 class ExecutorServices {
  public:
-  /// @param executor  name of its node, for people
+  /// @param executor  name of its node, for messages
   ExecutorServices(ros::NodeHandle node, std::string executor);
 
   void pause() { call(orders_, pause_, "pause"); }
   void resume() { call(orders_, resume_, "resume"); }
-  /// @param order  what it is, for people: to stop, or to abort
+  /// @param order  name of the order, for messages: to stop, or to abort
   void end(const std::string& order) { call(ends_, abort_, order); }
   void changeFeed(double feed);
   std::optional<FeedAnswer> takeFeedAnswer();
 
-  /// Which call has waited that long for its answer, once; empty if none has. [s]
+  /// The call that has waited for its answer for `patience_s` [s]; returned once, empty if there is none.
   std::string takeUnanswered(double patience_s);
 
  private:
@@ -43,7 +43,8 @@ class ExecutorServices {
   std::mutex mutex_;  ///< of the call under way
   UnansweredOrder waiting_;
   std::optional<FeedAnswer> feed_answer_;
-  // Last, so that they end before what they use. What ends a job does not wait behind what pauses it.
+  // Last, so that they end before the objects they use. Calls that end a job do not wait behind calls that
+  // pause it.
   OrderThread orders_;
   OrderThread ends_;
 };

@@ -14,22 +14,22 @@
 
 namespace lamina {
 
-/// Which states of the machine are of the job that was ordered.
+/// Which states of the machine belong to the ordered job.
 enum class StateMatch : std::uint8_t {
-  AnyJob,   ///< all that come after the order
-  SameJob,  ///< those that name its file and are stamped after the order
+  AnyJob,   ///< all states that arrive after the order
+  SameJob,  ///< states that name the job's file and are stamped after the order
 };
 
-/// The alarm of an end that is alike for all executors' nodes, 0 for none; nothing if it is the node's own to
-/// tell. Nobody has given up a job whose node was ended.
+/// The alarm of a job's end that is the same for all executors' nodes, 0 for none; nothing if the alarm
+/// depends on the node. A job whose node was ended does not count as given up.
 std::optional<int> alarmOfAnyNode(const lamina_msgs::Status& status);
 
-/// How what an executor's node says is to be taken.
+/// How messages of an executor's node are interpreted.
 struct ExecutorLanguage {
   std::string node;  ///< its name
   /// Alarm that a job's end raises; 0 for none.
   std::function<int(const lamina_msgs::Status&)> alarm_of;
-  /// Whether such an end has stopped the machine, or told it to stop: motions that it had accepted are lost.
+  /// Whether an end with this status has stopped the machine, or told it to stop: accepted motions are lost.
   std::function<bool(const lamina_msgs::Status&)> is_stopped_by;
   StateMatch match = StateMatch::AnyJob;
 };
@@ -42,30 +42,30 @@ struct JobEnd {
   std::uint64_t taken_through = 0;
 };
 
-/// The job of an executor, by what its node says: states on one topic, results on another, in any order. A
-/// job that was ordered here ends by its result alone, as a state may be that of the job before.
+/// The job of an executor, as reported by its node: states on one topic, results on another, in any order. A
+/// job ordered here ends by its result only, as a state may belong to the previous job.
 class FollowedJob {
  public:
   explicit FollowedJob(ExecutorLanguage language);
 
   void begin(const StartOrder& order, double now_s, const ros::Time& now);
-  /// The order has come through; its file may still be read.
+  /// States that the order has arrived; its file may still be read.
   void takeUp(std::uint64_t order);
-  /// Whether a job was ordered that has not ended.
+  /// Whether an ordered job has not ended.
   bool isOrdered() const { return order_.has_value(); }
-  /// Whether the machine has said nothing yet of the job that was ordered.
+  /// Whether the machine has not reported on the ordered job yet.
   bool isAwaited() const { return order_ && !has_begun_; }
-  /// Whether the order to start has not come through for so long; then the time begins anew. [s]
+  /// Whether the order to start has not arrived for `patience_s` [s]; the time then begins anew.
   bool takeUntaken(double now_s, double patience_s);
 
-  /// @return what is to be reported; nothing if it says nothing new of the job
+  /// @return the report; nothing if the state contains nothing new on the job
   std::optional<ExecutorReport> hear(const lamina_msgs::MachineState& state);
   std::optional<ExecutorReport> end(std::uint64_t order, const JobEnd& end);
   /// What is printed of the job; of another, or from before the order, it counts for nothing.
   void hear(const lamina_msgs::PrintProgress& printed) { printed_ = printed; }
 
   const lamina_msgs::MachineState& machine() const { return machine_; }
-  /// What was said last; nothing if nothing was.
+  /// The last report; nothing if there was none.
   std::optional<ExecutorReport> seen() const;
 
  private:
@@ -79,12 +79,12 @@ class FollowedJob {
   bool has_machine_ = false;
   lamina_msgs::PrintProgress printed_;
   std::optional<std::uint64_t> order_;  ///< under way
-  std::string program_;                 ///< of what was ordered last
+  std::string program_;                 ///< program of the last order
   ros::Time ordered_;
   double ordered_s_ = 0.0;
-  bool is_taken_up_ = false;  ///< what was ordered last
-  bool has_begun_ = false;    ///< the same, by the state of the machine
-  bool has_run_ = false;      ///< whether it has been run since
+  bool is_taken_up_ = false;  ///< whether the last order has arrived
+  bool has_begun_ = false;    ///< whether its job has begun, by the machine's state
+  bool has_run_ = false;      ///< whether the job has run since
   ExecutorReport last_;       ///< of it
 };
 

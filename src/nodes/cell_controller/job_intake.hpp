@@ -18,9 +18,9 @@
 
 namespace lamina {
 
-/// Takes programs and toolpaths for the queue in a thread of its own: large ones are kept and checked for
-/// minutes, and no command may wait for that. What was found good is added to the journal by the journal's
-/// own thread; of what was refused no file stays in the store.
+/// Takes programs and toolpaths for the queue in a thread of its own: storing and checking large ones takes
+/// minutes, for which no command may wait. Accepted files are added to the journal by the journal's own
+/// thread; files of refused ones are removed from the store.
 class JobIntake {
  public:
   /// `artefacts` outlives it.
@@ -29,7 +29,7 @@ class JobIntake {
   JobIntake(const JobIntake&) = delete;
   JobIntake& operator=(const JobIntake&) = delete;
 
-  /// Adds the programs that were found good since the last call.
+  /// Adds the programs accepted since the last call.
   /// @return whether there were any
   bool addTo(CellJournal& journal, double utc_s);
 

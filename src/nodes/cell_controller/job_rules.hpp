@@ -10,16 +10,16 @@
 
 namespace lamina {
 
-/// Checks a job's file whole, for the cell's executor and machine: a program of G-code by its reach
+/// Checks the whole file of a job for the cell's executor and machine: a program of G-code by its reach
 /// (`requirePrintable`), a toolpath as `lamina check` does (`drivableRun`), without collisions if
 /// `clearance.need` is never, and by the widest tolerances of a driver (`inTime`).
-/// @return the number of layers; 0 if the file does not say it
+/// @return the number of layers; 0 if the file does not state it
 /// @throws as these functions, `readToolpathOnBed`, and Cancelled
 std::int32_t checkedLayers(const std::string& path, const CellControllerSettings& settings,
                            Progress& progress);
 
-/// What a job is checked for: the machine's sheet, and the executor and how it places jobs unless that is
-/// gcode_streamer.
+/// The conditions for which a job is checked: the machine's sheet and, unless the executor is gcode_streamer,
+/// the executor and its placement of jobs.
 /// @throws as `machineSheet`
 std::string jobSheet(const CellControllerSettings& settings);
 

@@ -13,7 +13,7 @@
 namespace lamina {
 
 struct JournalCareSettings {
-  double least_free_gib = 2.0;  ///< of the disk; 7002 below
+  double least_free_gib = 2.0;  ///< free space of the disk; less raises alarm 7002
   JournalCopySettings copies;
 };
 
@@ -25,16 +25,16 @@ struct CareAlarm {
   bool is_gone = false;
 };
 
-/// Looks after a journal: its audit as the node starts, the room on its disk, its nightly copies, which are
-/// made in a thread of their own so that the unit never waits for them.
+/// Maintains a journal: checks the audit when the node starts, watches the free space of the disk, and makes
+/// nightly copies in a separate thread, for which the unit never waits.
 class JournalCare {
  public:
   JournalCare(const CellJournal& journal, std::string folder, const JournalCareSettings& settings);
 
-  /// What has changed since the last look; cheap within a few seconds of it.
+  /// Changes since the last call; cheap if called again within a few seconds.
   std::vector<CareAlarm> look(CellTime now);
 
-  /// What stands against Start.
+  /// Conditions that prevent Start.
   std::vector<UnmetGuard> againstStart() const;
 
  private:
@@ -43,12 +43,12 @@ class JournalCare {
 
   std::string folder_;
   JournalCareSettings settings_;
-  std::string broken_audit_;  ///< what is wrong with it; empty if it is whole
+  std::string broken_audit_;  ///< fault of the audit; empty if it is intact
   bool is_audit_reported_ = false;
   bool is_disk_low_ = false;
   double looked_s_ = -1e9;
   double tried_s_ = -1e9;
-  std::future<std::string> copy_;  ///< what went wrong with it; empty if it was made
+  std::future<std::string> copy_;  ///< fault of the copy; empty if it was made
 };
 
 }  // namespace lamina

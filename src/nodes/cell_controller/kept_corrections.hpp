@@ -10,10 +10,10 @@
 
 namespace lamina {
 
-/// Keeps the maps that an execution was corrected by, their record and the toolpath they are of, from the
-/// folder in which `gcode_streamer` leaves them (`corrections.folder`).
-/// @return what is kept; nothing if the folder's record is of another program, or was not written during the
-///   execution
+/// Stores the maps by which an execution was corrected, their record and their toolpath, from the folder to
+/// which `gcode_streamer` writes them (`corrections.folder`).
+/// @return the stored files; none if the folder's record belongs to another program, or was not written
+///   during the execution
 /// @throws FileError if a file cannot be read, or the store not written
 std::vector<Artefact> keptCorrections(ArtefactStore& store, const std::string& folder, const QueuedJob& job,
                                       const ExecutionRow& execution);

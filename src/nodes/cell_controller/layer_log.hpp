@@ -15,16 +15,16 @@
 
 namespace lamina {
 
-/// Keeps in the journal what other nodes report of the layers of the part under way. What it cannot write it
-/// logs: the cell itself raises what a journal that cannot be written leads to.
+/// Writes other nodes' reports on layers of the part under way into the journal. Failures to write are logged
+/// only: the cell itself raises the alarm of an unwritable journal.
 class LayerLog {
  public:
   LayerLog(ros::NodeHandle node, CellJournal& journal);
 
-  /// What is reported from now on is of this execution; nothing: of none. Its layers begin with the next one.
+  /// Assigns later reports to this execution; nothing: to none. Its layers begin with the next layer.
   void follow(std::optional<std::int64_t> execution, const lamina_msgs::MachineState& machine);
 
-  /// The machine is at that layer, or at the end of its last one.
+  /// States that the machine is at that layer, or at the end of its last layer.
   void onMachine(const lamina_msgs::MachineState& machine);
   void onEnd(const lamina_msgs::MachineState& machine);
 

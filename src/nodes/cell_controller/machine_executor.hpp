@@ -10,45 +10,45 @@
 
 namespace lamina {
 
-/// What became of a change of the speed.
+/// Outcome of a change of the speed.
 struct FeedAnswer {
   double feed = 1.0;
   std::string refusal;  ///< empty if it was taken
 };
 
-/// Where a job that was cut off would be resumed.
+/// Where an interrupted job would be resumed.
 struct ResumeOutlook {
-  bool is_by_place = false;      ///< it depends on where the machine stands
-  bool is_place_proven = false;  ///< it stands where the job was cut off
-  std::string text;
+  bool is_by_place = false;      ///< whether that depends on where the machine stands
+  bool is_place_proven = false;  ///< whether the machine stands where the job was interrupted
+  std::string text;              ///< the place, for people
 };
 
-/// The node that runs a cell's jobs on its machine, as the cell sees it. Nothing waits for that node.
+/// The node that runs a cell's jobs on its machine, as the cell sees it. No call waits for the node.
 class MachineExecutor : public Executor {
  public:
-  /// Name of the node, for people.
+  /// Name of the node, for messages.
   virtual std::string name() const = 0;
 
-  /// Has the job run at that part of its planned speed.
+  /// Requests that the job run at that fraction of its planned speed.
   virtual void changeFeed(double feed) = 0;
-  /// What became of the last change of the speed, once.
+  /// The outcome of the last change of the speed; returned once.
   virtual std::optional<FeedAnswer> takeFeedAnswer() = 0;
 
-  /// What the executor said last of a job that nobody here has started; nothing if it has said nothing.
+  /// The executor's last report on a job that was not started here; nothing if there is none.
   virtual std::optional<ExecutorReport> seen() const = 0;
 
   /// The last state of the machine.
   virtual const lamina_msgs::MachineState& machine() const = 0;
 
-  /// Whether it gives signs of life, and would take a job.
+  /// Whether the node gives signs of life, and would take a job.
   virtual bool isThere() const = 0;
 
-  /// Looks, in a thread of its own, at where a job that was cut off would be resumed.
+  /// Requests, in a thread of its own, where an interrupted job would be resumed.
   virtual void lookAtResume(const std::string& /*program*/, const ExecutionProgress& /*progress*/) {}
-  /// What that has shown; empty if nothing yet.
+  /// The last answer to `lookAtResume`; empty if there is none yet.
   virtual ResumeOutlook resumeOutlook() const { return {}; }
 
-  /// Which order has waited that long for its answer, once; empty if none has. [s]
+  /// The order that has waited for its answer for `patience_s` [s]; returned once, empty if there is none.
   virtual std::string takeUnanswered(double patience_s) = 0;
 };
 

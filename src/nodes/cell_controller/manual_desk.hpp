@@ -15,7 +15,8 @@
 namespace lamina {
 
 /// The mode Manual on ROS: takes steps by the service move_by_hand and passes them on to the node that jogs,
-/// as jog_twist and jog_joints. It orders no process. Who takes and loses the lease is in the audit.
+/// as jog_twist and jog_joints. It does not command the process. Holders and losses of the lease are recorded
+/// in the audit.
 ///
 /// All calls and callbacks come from one thread.
 class ManualDesk {
@@ -23,7 +24,7 @@ class ManualDesk {
   /// @param unit  mode, state and zone of the unit at present; called from callbacks only
   ManualDesk(ros::NodeHandle node, CellJournal& journal, std::function<ManualConditions()> unit);
 
-  /// Passes on what is to move or rest now.
+  /// Passes on the motion or rest that is due now.
   void follow(CellTime now);
 
  private:
@@ -44,7 +45,7 @@ class ManualDesk {
   lamina_msgs::JogState jog_;
   lamina_msgs::ManualState told_;
   bool is_told_ = false;
-  std::optional<ManualStep> sent_;  ///< what the machine moves by
+  std::optional<ManualStep> sent_;  ///< step that the machine runs
   double sent_s_ = 0.0;
   ros::Publisher state_;
   ros::Publisher twist_;

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Gives orders to another node, one after the other, in a thread of its own: whoever gives them never waits
-/// for the answer.
+/// Sends orders to another node, one after the other, in a thread of its own: the caller never waits for the
+/// answer.
 class OrderThread {
  public:
   OrderThread();
-  /// Waits for the order under way; later ones are not given.
+  /// Waits for the order under way; later orders are not sent.
   ~OrderThread();
   OrderThread(const OrderThread&) = delete;
   OrderThread& operator=(const OrderThread&) = delete;

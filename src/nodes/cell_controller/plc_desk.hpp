@@ -12,19 +12,19 @@
 
 namespace lamina {
 
-/// What a PLC says, by topic and beside its commands, as the unit sees it.
+/// The inputs of a PLC as the unit sees them, received on a topic and with commands.
 class PlcDesk {
  public:
-  /// @param heard  called when the topic has brought something new
+  /// @param heard  called when the topic has a new message
   PlcDesk(ros::NodeHandle node, const PlcWatchSettings& settings, std::function<void()> heard);
 
-  /// Takes what came beside a command, which may be ahead of the topic.
+  /// Takes the inputs that came with a command; they may be ahead of the topic.
   void hear(const lamina_msgs::PlcInputs& said);
 
   PlcWatch& watch() { return watch_; }
   const PlcWatch& watch() const { return watch_; }
 
-  /// Part of the programmed speed that the PLC asks for: 1 if it asks for none.
+  /// Fraction of the programmed speed that the PLC requests; 1 if it requests none.
   double speed() const { return said_.speed; }
 
  private:

@@ -12,7 +12,7 @@ namespace lamina {
 /// The node gcode_streamer as the cell's executor: its jobs are programs of G-code.
 class StreamExecutor final : public ActionExecutor<lamina_msgs::StreamProgramAction> {
  public:
-  /// @param report  takes what the executor says
+  /// @param report  receives the executor's reports
   StreamExecutor(const ros::NodeHandle& node, std::function<void(const ExecutorReport&)> report);
 
  protected:

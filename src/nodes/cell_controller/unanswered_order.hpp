@@ -9,10 +9,10 @@ namespace lamina {
 /// An order that was given and not answered yet. Times are of one clock [s].
 class UnansweredOrder {
  public:
-  /// @return whether it is a new one: not that which is on its way already
+  /// @return whether the order is new, not the one already under way
   bool give(const std::string& order, double now_s);
   void answer(const std::string& order);
-  /// The order that nobody has answered for so long, once; empty if there is none.
+  /// The order that was not answered for `patience_s`; returned once, empty if there is none.
   std::string take(double now_s, double patience_s);
 
  private:

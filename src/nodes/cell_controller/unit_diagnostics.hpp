@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// The unit and its alarms: OK, or a warning of what is only reported, or an error that holds, stops or
-/// aborts the unit; alarms whose cause is gone warn until they are acknowledged.
+/// The unit and its alarms: OK, a warning for alarms that are only reported, or an error for alarms that
+/// hold, stop or abort the unit. Alarms whose cause is gone are warnings until they are acknowledged.
 void fillDiagnostics(const lamina_msgs::PackmlStatus& unit, const lamina_msgs::CellAlarms& alarms,
                      diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 

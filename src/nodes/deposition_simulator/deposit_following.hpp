@@ -14,13 +14,13 @@
 
 namespace lamina {
 
-/// Lays a toolpath behind the machine that runs it, by the nozzle's pose on tf, and publishes what is
-/// deposited.
+/// Deposits a toolpath behind the machine that runs it, by the nozzle's pose on tf, and publishes the
+/// deposit.
 class DepositFollowing {
  public:
   DepositFollowing(ros::NodeHandle node, const DepositionSimulatorSettings& settings);
 
-  /// Begins anew with a toolpath. One that cannot be deposited is reported in the log, and nothing is
+  /// Begins anew with a toolpath. A toolpath that cannot be deposited is reported in the log, and none is
   /// followed.
   void begin(const lamina_msgs::Toolpath& message);
 
@@ -34,10 +34,10 @@ class DepositFollowing {
   DepositionSimulatorSettings settings_;
   std::unique_ptr<FollowedDeposit> followed_;  ///< empty before the first toolpath
   std::string toolpath_id_;
-  double published_mm3_ = 0.0;          ///< as much was extruded at the last state
+  double published_mm3_ = 0.0;          ///< extruded volume at the last state
   bool was_complete_ = false;           ///< at the last state
-  double cloud_mm3_ = kNotPublished;    ///< and at the last cloud
-  double markers_mm3_ = kNotPublished;  ///< and at the last markers
+  double cloud_mm3_ = kNotPublished;    ///< extruded volume at the last cloud
+  double markers_mm3_ = kNotPublished;  ///< extruded volume at the last markers
   ros::Publisher deposited_;
   ros::Publisher markers_;
   ros::Publisher state_;

@@ -15,7 +15,7 @@
 
 namespace lamina {
 
-/// Reports what toolpaths leave behind. Its topics and parameters: docs/nodes/deposition_simulator.md.
+/// Reports the deposits of toolpaths. Its topics and parameters: docs/nodes/deposition_simulator.md.
 ///
 /// A goal that fails publishes and writes nothing.
 class DepositionSimulator {

@@ -21,13 +21,13 @@ struct SimulationSettings {
 /// machine.*.
 void describe(SettingsSchema& schema, SimulationSettings& settings);
 
-/// How much of a deposit is published; beyond it coarser voxels are.
+/// Limits of a published deposit; larger deposits are published with coarser voxels.
 struct ShownSettings {
   int points = 1000000;
   int triangles = 100000;
 };
 
-/// What is deposited besides what goals ask for.
+/// What is deposited besides the toolpaths of goals.
 enum class SimulatorMode {
   Simulate,  ///< nothing
   Follow,    ///< the latched toolpath, behind the machine that runs it

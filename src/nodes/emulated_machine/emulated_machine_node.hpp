@@ -19,13 +19,12 @@
 
 namespace lamina {
 
-/// A machine with Marlin firmware that is not there: reached at a pseudo-terminal and a TCP port, it runs
-/// what it is sent, keeps what it deposits, and looks at it with a profile sensor.
+/// An emulated machine with Marlin firmware at a pseudo-terminal and a TCP port. It runs received lines,
+/// stores its deposit, and measures the deposit with a profile sensor.
 ///
 /// Publishes   machine_position (sensor_msgs/JointState, latched): the axes every `position_spacing_mm` and
-/// at every
-///             corner; profile (sensor_msgs/PointCloud2, frame sensor): what the sensor sees, each with the
-///             stamp of a machine_position; at the end of a motion also if that is nothing; deposited
+///             at every corner; profile (sensor_msgs/PointCloud2, frame sensor): the sensor's view, each with
+///             the stamp of a machine_position; at the end of a motion also if empty; deposited
 ///             (sensor_msgs/PointCloud2, frame bed, latched): the surface of the material
 /// Services    machine_rest (lamina/MachineRest): whether all motions were run and published, and up to which
 ///             stamps
@@ -40,7 +39,7 @@ class EmulatedMachineNode {
   ~EmulatedMachineNode();
 
  private:
-  /// What becomes of a profile that shows nothing.
+  /// Treatment of an empty profile.
   enum class Blank { Published, LeftOut };
 
   /// Stamps of the last messages published.
@@ -63,7 +62,7 @@ class EmulatedMachineNode {
 
   EmulatedMachineSettings settings_;
   CartesianMachine machine_;
-  ros::ServiceServer rest_;  ///< there for all who see one of the topics
+  ros::ServiceServer rest_;  ///< exists for all who see one of the topics
   ros::Publisher position_;
   ros::Publisher profile_;
   ros::Publisher deposited_;
@@ -77,7 +76,7 @@ class EmulatedMachineNode {
   double last_end_s_ = -1.0;  ///< machine time of the last position
   mutable std::mutex stamps_mutex_;
   LastStamps last_;         ///< guarded
-  bool has_news_ = false;   ///< material that was not published
+  bool has_news_ = false;   ///< whether material was not published yet
   bool is_laying_ = false;  ///< whether the bead under way has not ended
   ros::Time start_;
   std::unique_ptr<EmulatedMachine> emulator_;

@@ -27,22 +27,23 @@ class MachineDeposit {
   virtual ~MachineDeposit() = default;
 
   virtual void lay(const ToolAxisMotion& motion, const MachineTimes& times) = 0;
-  /// What comes next does not go on from what was deposited last.
+  /// States that the next material does not continue the last bead.
   virtual void endBead() {}
-  /// What a sensor above sees; valid while this lives.
+  /// The surface as a sensor above sees it; valid during the object's lifetime.
   virtual HeightSource surface() const = 0;
-  /// The frame in which the surface has heights: that of the bed, unless beads grow another way than upwards.
+  /// The frame in which the surface has heights: that of the bed, unless beads grow in another direction than
+  /// upwards.
   virtual Eigen::Isometry3d bedFromSurface() const { return Eigen::Isometry3d::Identity(); }
   /// Largest height of the surface [mm].
   virtual double highest() const = 0;
-  /// Points of the surface where something lies [mm, bed].
+  /// Points of the surface where material lies [mm, bed].
   virtual std::vector<Point3> points() const = 0;
 };
 
-/// Nothing yet, over the bed that the settings say is shown.
-/// @param tool_axis  of the machine, of unit length [bed]
-/// @throws InvalidInput if that has more cells than a map can have
-/// Beads of a disturbed process grow against the tool axis.
+/// An empty deposit over the bed area that the settings show. Beads of a disturbed process grow against the
+/// tool axis.
+/// @param tool_axis  tool axis of the machine, of unit length [bed]
+/// @throws InvalidInput if the area has more cells than a map can have
 /// @throws InvalidConfig if pieces are to break off on a machine whose tool axis leans, which would have to
 ///   fall
 std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const Eigen::Vector3d& tool_axis,

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// How what is deposited is kept.
+/// Representation of the deposit.
 enum class DepositModel {
   Auto,     ///< voxels, on belts heights
   Voxels,   ///< `VoxelDeposit`
@@ -29,11 +29,11 @@ struct EmulatedMachineSettings {
   double position_spacing_mm = 1.0;  ///< of the positions published along a motion
   double profile_spacing_mm = 0.1;   ///< of profiles, and of the positions they are taken at
   DepositModel deposit_model = DepositModel::Auto;
-  double deposit_cell_mm = 0.1;           ///< of what is deposited: voxels, or cells of the map of heights
-  double deposit_belt_mm = 200.0;         ///< how much of a belt the map shows
+  double deposit_cell_mm = 0.1;           ///< side of a voxel, or of a cell of the height map
+  double deposit_belt_mm = 200.0;         ///< length of a belt that the map shows
   double deposited_period_s = 0.5;        ///< between publications of the deposited material
   bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit
-  PlantSettings plant;  ///< what is wrong with the process; deposits as `GrownDeposit` if anything is
+  PlantSettings plant;  ///< deviations of the process; with any, deposits are a `GrownDeposit`
   GrownDepositSettings grown;
   EmulatedSettings emulator;
   ProfileSensorSettings sensor;
@@ -43,7 +43,7 @@ struct EmulatedMachineSettings {
 /// profile_spacing_mm, deposit.*, profile_while_depositing, plant.*, emulator.*, motion.* and sensor.*.
 void describe(SettingsSchema& schema, EmulatedMachineSettings& settings);
 
-/// @throws InvalidConfig if a fault is none
+/// @throws InvalidConfig if a text is no fault
 std::vector<Fault> faultsOf(const EmulatedMachineSettings& settings);
 EmulatedPorts portsOf(const EmulatedMachineSettings& settings);
 

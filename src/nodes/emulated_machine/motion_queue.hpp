@@ -13,7 +13,7 @@
 namespace lamina {
 
 /// Hands motions from the emulator's thread to the one that deposits and publishes. A full queue holds the
-/// machine up, so that memory stays bounded.
+/// machine up: memory stays bounded.
 class MotionQueue {
  public:
   void push(const ExecutedMotion& motion) {
@@ -25,8 +25,8 @@ class MotionQueue {
     has_motion_.notify_one();
   }
 
-  /// The next motion; nothing after `timeout` without one, or once the queue is closed. The motion popped
-  /// before is done with by then.
+  /// The next motion; nothing after `timeout` without one, or once the queue is closed. The previously popped
+  /// motion then counts as done.
   std::optional<ExecutedMotion> pop(std::chrono::milliseconds timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
     is_taken_ = false;
@@ -39,13 +39,13 @@ class MotionQueue {
     return motion;
   }
 
-  /// Whether no motion waits, and the last one popped is done with.
+  /// Whether no motion waits, and the last popped motion is done.
   bool isAtRest() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return motions_.empty() && !is_taken_;
   }
 
-  /// Lets nobody wait any more.
+  /// Ends all waits.
   void close() {
     const std::lock_guard<std::mutex> lock(mutex_);
     is_closed_ = true;
@@ -62,7 +62,7 @@ class MotionQueue {
   std::condition_variable has_room_;
   std::condition_variable has_motion_;
   std::deque<ExecutedMotion> motions_;
-  bool is_taken_ = false;  ///< a motion that is still being worked off
+  bool is_taken_ = false;  ///< whether a popped motion is not done yet
   bool is_closed_ = false;
 };
 

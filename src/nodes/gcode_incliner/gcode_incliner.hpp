@@ -22,7 +22,7 @@ namespace lamina {
 ///             under way
 /// Publishes   toolpath (lamina/Toolpath, latched): the inclined program
 ///             toolpath_markers, source_toolpath_markers (visualization_msgs/MarkerArray, latched): the
-///             inclined program and that it was made from, in the frame of the bed
+///             inclined program and its source, in the frame of the bed
 ///
 /// One program at a time: a request during another one is answered with REJECTED. A request that fails
 /// publishes and writes nothing.

@@ -16,26 +16,26 @@
 
 namespace lamina {
 
-/// What became of a layer of a toolpath.
+/// Outcome of a layer of a toolpath.
 struct StreamDecision {
   std::string toolpath_id;
   LayerDecision decision;
 };
 
-/// The layers left, planned anew, as a program that goes on where another one rests.
+/// The remaining layers, replanned, as a program that continues where another one rests.
 struct PlannedProgram {
   StreamableProgram program;
   std::shared_ptr<LayerCorrector> corrector;
 };
 
-/// A program that is corrected on its way, and the plans that take the place of what is left of it. Maps and
+/// A program that is corrected while it is sent, and the plans that replace its remaining layers. Maps and
 /// plans may come from any thread.
 class CorrectedStream final : public ProgramRevision {
  public:
-  /// Makes a plan a program that begins where the corrector's rests, in front of that layer.
+  /// Converts a plan to a program that begins where the corrector's program rests, in front of that layer.
   using PlanWriter = std::function<PlannedProgram(const LayerCorrector& present, std::size_t layer)>;
 
-  /// What a job does that may go over to plans cannot be made again from one record.
+  /// Whether plans are followed. A job that follows plans cannot be reproduced from one record.
   enum class Plans { Refused, Followed };
 
   explicit CorrectedStream(std::shared_ptr<LayerCorrector> corrector, Plans plans = Plans::Refused)
@@ -44,16 +44,16 @@ class CorrectedStream final : public ProgramRevision {
   /// @return why the map is not used, in words; empty if it is kept for its layer
   std::string hear(CorrectionMap map);
 
-  /// The machine goes over to a plan from the layer on in front of which it rests, which waits until the
+  /// Makes the machine change to a plan, from the layer in front of which it rests. The layer waits until the
   /// plan's program is written.
   /// @return why not, in words; empty if it does
-  /// @throws as `write`; the layer then waits on, until `dropPlan`
+  /// @throws as `write`; the layer then keeps waiting until `dropPlan`
   std::string goOverTo(const std::string& plan_id, const PlanWriter& write);
-  /// Of a plan that could not be written: its layer is waited for as before.
+  /// Drops a plan that could not be written: its layer is waited for as before.
   void dropPlan() { corrector()->dropPlan(); }
-  /// Whether the machine lays that toolpath, or goes over to it.
+  /// Whether the machine deposits that toolpath, or changes to it.
   bool isFollowing(const std::string& toolpath_id) const;
-  /// As maps name what is deposited.
+  /// Identity of the deposited toolpath, as in its maps.
   std::string toolpathId() const { return corrector()->plannedId(); }
 
   bool isKnown(std::int32_t layer) override { return corrector()->isKnown(layer); }
@@ -64,20 +64,20 @@ class CorrectedStream final : public ProgramRevision {
     return corrector()->revised(line, number);
   }
 
-  /// Those since the last call, in order.
+  /// Decisions since the last call, in order.
   std::vector<StreamDecision> takeDecisions();
   std::optional<RevisionRecord> record() const override {
     return plans_ == Plans::Refused ? corrector()->record() : std::nullopt;
   }
   std::string recordFailure() const override { return corrector()->recordFailure(); }
-  /// The same, of each record once; then empty.
+  /// Failure of a record, returned once for each record; otherwise empty.
   std::string takeRecordFailure();
 
  private:
   std::shared_ptr<LayerCorrector> corrector() const;
   void collectDecisions();
 
-  mutable std::mutex mutex_;  ///< of what is below
+  mutable std::mutex mutex_;  ///< guards everything below
   std::shared_ptr<LayerCorrector> corrector_;
   const Plans plans_;
   std::optional<PlannedProgram> next_;
@@ -86,9 +86,9 @@ class CorrectedStream final : public ProgramRevision {
   std::string failure_taken_;  ///< of a record
 };
 
-/// How the program of a plan is written that begins where another one rests, hot and homed: without the start
-/// code. What was pulled back for the travel to the layer is pushed forth first.
-/// @throws InvalidInput if the toolpath that is left uses other tools than the first
+/// Settings for the program of a plan that begins where another one rests, hot and homed: without the start
+/// code. Filament retracted for the travel to the layer is pushed forward first.
+/// @throws InvalidInput if the remaining toolpath uses other tools than the first
 ProgramSettings settingsToGoOn(ProgramSettings settings, const Toolpath& left, std::size_t layer);
 
 }  // namespace lamina

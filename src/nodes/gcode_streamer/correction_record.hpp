@@ -11,31 +11,31 @@
 
 namespace lamina {
 
-/// The folder that says what a program was corrected by: from it and the program what was sent can be made
-/// again (`readCorrectionFiles`). A disk that fails does not stop the machine: nothing is kept any more from
-/// then on. May be called from any thread.
+/// The folder that records the corrections of a program: from both, the sent lines can be reproduced
+/// (`readCorrectionFiles`). A failure of the disk does not stop the machine; nothing is recorded from then
+/// on. May be called from any thread.
 class CorrectionRecord {
  public:
-  /// Makes the folder, and leaves what is in it: the record of a job before, as long as none begins.
+  /// Creates the folder. A previous job's record in it stays until a job begins.
   /// @param folder  empty to keep nothing
   /// @throws FileError if nothing can be written there
   CorrectionRecord(std::string folder, std::string program_sha256, std::string toolpath_id);
 
-  /// The job begins: a record of nothing, and the toolpath, in place of those of a job before. Once.
+  /// Begins the job: an empty record and the toolpath replace those of a previous job. Called once.
   /// @param toolpath  that of the id
   /// @throws FileError if they cannot be written
   void begin(const ProgrammedToolpath& toolpath);
 
   /// To be called before the row that reports the map.
   void keep(const AppliedRow& row, const CorrectionMap& map);
-  /// To be called before any line that the row is about is sent.
+  /// To be called before any line to which the row applies is sent.
   void add(AppliedRow row);
 
-  /// What it is of; nothing where none is kept.
+  /// The recorded job; nothing if no record is kept.
   std::optional<RecordedJob> of() const;
   const std::string& folder() const { return folder_; }
 
-  /// Why nothing is kept any more; empty while all is well.
+  /// Why recording has ended; empty if it has not.
   std::string failure() const;
 
  private:
@@ -43,7 +43,7 @@ class CorrectionRecord {
   void attempt(Write write);
 
   const std::string folder_;
-  mutable std::mutex mutex_;  ///< of what is below
+  mutable std::mutex mutex_;  ///< guards everything below
   bool has_begun_ = false;
   RecordedJob of_;
   std::vector<AppliedRow> rows_;

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// Reports to the loop what became of its corrections, and to the log.
+/// Reports the outcome of corrections to the loop and to the log.
 class CorrectionReports {
  public:
   /// Reports nothing.
@@ -22,11 +22,11 @@ class CorrectionReports {
 
   /// Reports the layers that were decided since the last call.
   void tell(CorrectedStream& corrected) const;
-  /// Reports, as the layers come, those that are deposited as planned in a job that goes on by its record:
-  /// without a report the loop takes them to be deposited by its maps.
+  /// Reports layers that are deposited as planned in a job resumed from its record, as they come: without a
+  /// report the loop assumes that they are deposited by its maps.
   void tell(RecordedProgram& recorded, std::int32_t layer) const;
-  /// Reports that a plan is not gone on with, so that the loop gives its first layer a map, and plans on from
-  /// what is deposited.
+  /// Reports that a plan is not followed: the loop then gives the plan's first layer a map, and continues
+  /// from what is deposited.
   void refuse(const std::string& plan_id, const CorrectedStream& corrected, const std::string& reason) const;
 
  private:

@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// How a program is corrected on its way.
+/// How a program is corrected while it is sent.
 struct StreamCorrectionSettings {
   bool is_used = false;
   std::string folder;       ///< for the record of what was applied; empty for none
-  LoopSettings loop;        ///< of which waiting and feeding count
+  LoopSettings loop;        ///< settings of waiting and feeding are used
   std::string calibration;  ///< file of results; empty for none
-  /// Whether the layers left of a toolpath are gone on with as planned anew, once there is a plan.
+  /// Whether the remaining layers of a toolpath are replaced by a new plan, once there is one.
   bool follows_plans = false;
 };
 

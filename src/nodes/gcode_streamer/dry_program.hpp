@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A program as it is run dry, in a folder that lives as long.
+/// A program as it is run dry, in a folder that exists during the object's lifetime.
 class DryProgram {
  public:
   /// @throws InvalidConfig, InvalidProgram as `DryRun`; FileError
@@ -25,8 +25,8 @@ class DryProgram {
 };
 
 /// Whether a goal is run dry.
-/// @throws InvalidInput if there is no such dry run, or what it asks for besides is of jobs with their
-/// process
+/// @throws InvalidInput if there is no such dry run, or the goal requests what only jobs with their process
+///   allow
 bool isDry(const lamina_msgs::StreamProgramGoal& goal);
 
 }  // namespace lamina

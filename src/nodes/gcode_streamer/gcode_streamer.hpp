@@ -39,8 +39,8 @@ namespace lamina {
 /// services and topics: docs/nodes/gcode_streamer.md.
 ///
 /// With `corrections.use`, the lines of each layer are corrected before they are numbered, by the map that
-/// has come for it when the machine rests in front of it, and by later ones within it. With
-/// `corrections.follow_plans` layers left that are planned anew take the place of those of a toolpath.
+/// has arrived when the machine rests in front of the layer, and by later maps within the layer. With
+/// `corrections.follow_plans` replanned layers replace the remaining layers of a toolpath.
 ///
 /// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
@@ -49,8 +49,8 @@ class GcodeStreamer {
  public:
   GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings);
 
-  /// Returns once the machine is left safe, by the job under way, which `isStopRequested` aborts, and by the
-  /// start-up, and both have been reported.
+  /// Returns once the job under way, which `isStopRequested` aborts, and the start-up have left the machine
+  /// safe, and this has been reported.
   void awaitRest();
 
  private:
@@ -70,7 +70,7 @@ class GcodeStreamer {
   void watchStartup(StreamSession& session, const StreamStatus& status);
   void finish(const StreamStatus& status, double duration_s);
 
-  /// What corrects the program on its way; null if programs are not corrected.
+  /// The corrected stream of the program; null if programs are not corrected.
   std::shared_ptr<CorrectedStream> correctionOf(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
 
@@ -84,16 +84,16 @@ class GcodeStreamer {
   bool onChange(lamina_msgs::ChangeJob::Request& request, lamina_msgs::ChangeJob::Response& response);
   /// The job under way; null if there is none.
   std::shared_ptr<StreamSession> session() const;
-  /// Has the goal whose session is not there yet hold or not hold. @return false if there is none
+  /// Holds, or no longer holds, the goal that has no session yet. @return false if there is none
   bool holdPrepared(bool is_held);
-  /// Has the goal whose session is not there yet end. @return false if there is none
+  /// Ends the goal that has no session yet. @return false if there is none
   bool giveUpPrepared();
   /// Why the goal is to end; nothing if it is not.
   std::optional<Failure> cancellation();
   /// @throws Cancelled if the goal is to end
   void requireWanted();
 
-  /// What a watch needs to stop the machine in this node's place.
+  /// Data with which a watch can stop the machine in place of this node.
   MachinePulse pulse() const;
 
   void onStatus(const StreamStatus& status);
@@ -116,7 +116,7 @@ class GcodeStreamer {
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::Subscriber plan_;
-  ros::Publisher toolpath_publisher_;  ///< of plans that are gone on with
+  ros::Publisher toolpath_publisher_;  ///< publishes plans that are followed
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;

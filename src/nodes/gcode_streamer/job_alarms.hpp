@@ -13,12 +13,12 @@
 
 namespace lamina {
 
-/// The alarms 3201 to 3204 of the job under way, for the unit. From one thread.
+/// The alarms 3201 to 3204 of the job under way, for the unit. To be called from one thread.
 class JobAlarms {
  public:
   explicit JobAlarms(const ros::NodeHandle& node);
 
-  /// What is lost just now, none of it before a job and after it.
+  /// Reports the present losses; there are none before and after a job.
   void tell(const std::vector<JobLoss>& losses);
 
  private:

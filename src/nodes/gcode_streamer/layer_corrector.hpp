@@ -20,46 +20,47 @@
 
 namespace lamina {
 
-/// What became of a layer, or of a later map of it.
+/// Outcome of a layer, or of a later map of the layer.
 struct LayerDecision {
   std::size_t layer = 0;
   std::uint64_t sequence = 0;
   std::string digest;           ///< of the map that was applied; empty if none was
-  std::string refusal;          ///< why a map that was there was not; empty if none was there in time
-  double waited_s = 0.0;        ///< in vain
+  std::string refusal;          ///< why an available map was not applied; empty if none was available in time
+  double waited_s = 0.0;        ///< wait without result
   std::uint64_t from_line = 0;  ///< of the program, from 1
-  bool is_later = false;        ///< a map took the place of the one that the layer began with
-  bool is_coasting = false;     ///< its own map did not come in time: the one applied is the coasting map
+  bool is_later = false;        ///< a map has replaced the layer's first map
+  bool is_coasting = false;     ///< the layer's own map did not come in time: the coasting map is applied
 };
 
-/// Whether the first layer of a program waits for its map, too: of a part that begins nothing can be known.
+/// Whether the first layer of a program waits for its map, too. At the beginning of a part there are no
+/// measurements.
 enum class FirstMap { AsPlanned, Awaited };
 
-/// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
-/// layer each waits for its map; one that begins without takes its coasting map, to which the amount of the
-/// layer before goes over, and where there is none that amount fades to 0. Maps
-/// may come from any thread; the latest that is there when a layer is decided holds, and later ones of a
-/// layer that is deposited by a map from the next line of the program on.
+/// Corrects the program of a toolpath while it is sent, by the maps that arrive during the print. Each layer
+/// above the first waits for its map. A layer that begins without its map uses its coasting map, to which the
+/// amount of the previous layer changes gradually; without a coasting map that amount fades to 0. Maps may
+/// come from any thread. The latest map holds when a layer is decided; later maps of a layer that is
+/// deposited by a map hold from the next line of the program on.
 class LayerCorrector final : public ProgramRevision {
  public:
-  /// Reads the program once, so that what cannot be corrected is refused before it begins.
-  /// @throws InvalidProgram as `ProgramCorrector`; if none of what it deposits lies on the toolpath
+  /// Reads the program once: a program that cannot be corrected is refused before it begins.
+  /// @throws InvalidProgram as `ProgramCorrector`; if none of its deposits lies on the toolpath
   /// @throws FileError if the program is gone, or nothing can be written to the folder of the record
   LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
                  StreamCorrectionSettings settings, FirstMap first = FirstMap::AsPlanned);
 
-  /// The record of a job before gives way to this one's: now, or else with the first line.
+  /// Replaces a previous job's record by this job's: now, or otherwise with the first line.
   /// @throws FileError if it cannot be written
   void beginRecord() { record_.begin(toolpath_); }
 
   /// @return why the map is not used, in words; empty if it is kept for its layer
   std::string hear(CorrectionMap map);
 
-  /// Lets the layer that is waited for wait on, for a plan of the layers left, until `dropPlan`.
+  /// Makes the awaited layer wait for a plan of the remaining layers, until `dropPlan`.
   /// @return why not, in words; empty if it does
   std::string awaitPlan(const std::string& plan_id);
   void dropPlan();
-  /// In front of which the program rests; nothing while none is waited for.
+  /// The layer in front of which the program rests; nothing if none is awaited.
   std::optional<std::size_t> awaitedLayer() const;
 
   bool isKnown(std::int32_t layer) override;
@@ -67,17 +68,17 @@ class LayerCorrector final : public ProgramRevision {
   double waitTime() const override { return settings_.loop.wait_s; }
   std::string revised(std::string_view line, std::uint64_t number) override;
 
-  /// As maps name it.
+  /// Identity of the toolpath in its maps.
   const std::string& plannedId() const { return toolpath_.id; }
-  /// In coordinates of the program.
+  /// The toolpath in coordinates of the program.
   const Toolpath& toolpath() const { return toolpath_.toolpath; }
-  /// Of the layers decided so far, in order.
+  /// The decisions on layers so far, in order.
   std::vector<LayerDecision> decisions() const;
   std::optional<RevisionRecord> record() const override;
   std::string recordFailure() const override { return record_.failure(); }
 
  private:
-  /// A later map, and how the program has it.
+  /// A later map, and its form for the program.
   struct Trim {
     CorrectionMap map;
     CorrectionMap led;
@@ -99,13 +100,13 @@ class LayerCorrector final : public ProgramRevision {
   ProgramCorrector corrector_;
   CorrectionRecord record_;
 
-  mutable std::mutex mutex_;                       ///< of what is below
+  mutable std::mutex mutex_;                       ///< guards everything below
   std::map<std::size_t, CorrectionMap> heard_;     ///< by layer, not applied yet
   std::map<std::size_t, CorrectionMap> coasting_;  ///< the same of coasting maps
   std::optional<Trim> trim_;                       ///< of the layer under way, not applied yet
   std::vector<LayerDecision> decisions_;
-  std::uint64_t next_line_ = 1;         ///< to be revised
-  double last_amount_ = 0.0;            ///< by which the layers decided so far end
+  std::uint64_t next_line_ = 1;         ///< number of the next line to be revised
+  double last_amount_ = 0.0;            ///< last amount of the layers decided so far
   double station_mm_ = 1.0;             ///< greatest distance of stations in the last map
   std::optional<std::size_t> awaited_;  ///< layer
   bool is_planning_ = false;

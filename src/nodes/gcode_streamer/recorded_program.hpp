@@ -10,14 +10,14 @@
 
 namespace lamina {
 
-/// A job that was corrected on its way, to be gone on with.
+/// A corrected job that is to be resumed.
 struct RecordedProgram {
-  StreamableProgram program;  ///< as it was sent, and as planned from where the record ends
+  StreamableProgram program;  ///< as sent up to the end of the record, and as planned from there
   std::string toolpath_id;
-  std::size_t next_planned = 0;  ///< layer that is deposited as planned, and was not reported
+  std::size_t next_planned = 0;  ///< next layer deposited as planned that was not reported
 };
 
-/// By the record in `corrections.folder`.
+/// The job by the record in `corrections.folder`.
 /// @throws InvalidConfig if there is no such folder
 /// @throws as `correctionFrom` and `programByMaps`
 RecordedProgram recordedProgram(const StreamableProgram& planned, const StreamCorrectionSettings& corrections,

@@ -22,7 +22,7 @@ lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status);
 
 lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double duration_s);
 
-/// A change as the service asks for it.
+/// The change that the service requests.
 /// @param value  of feed, flow, rapid and spindle a fraction, of babystep [m]
 /// @throws InvalidInput as `liveChange`
 LiveChange liveChangeOf(const std::string& setting, double value);

@@ -12,16 +12,16 @@
 
 namespace lamina {
 
-/// What a status states that the one before did not.
+/// What is new in a status.
 struct StatusNews {
   bool is_state = false;  ///< another state
   bool is_warning = false;
   bool is_position = false;
 };
 
-/// The status of the job under way, or of the last one, and of the start-up, as it is published. Messages are
-/// published one after the other, whichever threads cause them, so that the last one states what holds. All
-/// functions may be called from any thread.
+/// The status of the job under way, or of the last one, and of the start-up, as it is published. Messages of
+/// all threads are published one after the other: the last one holds. All functions may be called from any
+/// thread.
 class StreamReport {
  public:
   /// Called with messages without stamps; must not call the report.
@@ -29,18 +29,18 @@ class StreamReport {
 
   explicit StreamReport(Publish publish);
 
-  /// A job is taken up, in Starting, which is published.
+  /// States that a job is accepted, and publishes its state, Starting.
   /// @param job  file or toolpath
   void begin(const std::string& job);
-  /// @param job  toolpath with which the job goes on
+  /// @param job  toolpath with which the job continues
   void rename(const std::string& job);
-  /// Takes the present status of the job, and publishes it if its state is another one. A status that is not
-  /// final is left out once the job is over.
+  /// Takes the present status of the job, and publishes it if the state has changed. After the end of the job
+  /// a status that is not final is ignored.
   StatusNews take(const StreamStatus& status);
   /// Takes the present steps of the start-up.
   /// @return those taken before
   std::vector<lamina_msgs::StartupStep> takeSteps(std::vector<lamina_msgs::StartupStep> steps);
-  /// Publishes once more what holds.
+  /// Publishes the present state again.
   void publish() const;
 
   StreamStatus status() const;
@@ -51,7 +51,7 @@ class StreamReport {
   void tell() const;
 
   Publish publish_;
-  mutable std::mutex mutex_;  ///< of everything below, and while a message is published
+  mutable std::mutex mutex_;  ///< guards everything below; also held during publication
   StreamStatus status_;
   std::string job_;
   std::vector<lamina_msgs::StartupStep> steps_;

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What a watch needs to stop the machine in the node's place, but for the file of the job.
+/// Data with which a watch can stop the machine in place of the node, except the file of the job.
 /// @param job  state of the job under way; Idle if there is none
 MachinePulse pulseOf(const GcodeStreamerSettings& settings, PackmlState job, const StreamStatus& status,
                      const StartupReport& startup);

@@ -17,13 +17,13 @@ namespace lamina {
 struct GcodeStreamerSettings {
   MachinePort port{"/dev/ttyUSB0", 115200};
   MachineSettings machine;
-  std::string owner;  ///< node whose orders alone are followed; empty for anybody
+  std::string owner;  ///< the only node whose orders are followed; empty for any node
   StreamSettings stream;
   ProgramSettings program;
   StartupSettings startup;
   StreamCorrectionSettings corrections;
   DryRunSettings dry;
-  double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
+  double owner_grace_s = 0.0;  ///< time without the ordering cell until the job is held; 0 for no limit
   std::string guard_socket;    ///< of the watch that stops the machine in this node's place; empty for none
 };
 

@@ -12,19 +12,19 @@
 
 namespace lamina {
 
-/// Makes programs of toolpaths for one machine.
+/// Converts toolpaths to programs for one machine.
 class ToolpathPrograms {
  public:
   ToolpathPrograms(const CartesianMachine& machine, const GcodeStreamerSettings& settings);
 
   /// @throws InvalidInput if the machine cannot run the toolpath
   StreamableProgram programOf(const MachineToolpath& placed) const;
-  /// The program of a plan, which goes on where another one rests, and its corrections.
-  /// @param present  of the program before
-  /// @param layer    in front of which that one rests
+  /// The program of a plan that continues where another program rests, and its corrections.
+  /// @param present  corrector of the previous program
+  /// @param layer    layer in front of which the previous program rests
   PlannedProgram programOf(const MachineToolpath& plan, const LayerCorrector& present,
                            std::size_t layer) const;
-  /// The program of a toolpath as it is corrected on its way.
+  /// The program of a toolpath as it is corrected while it is sent.
   /// @throws InvalidConfig if the machine's programs are not in coordinates of the bed
   std::shared_ptr<CorrectedStream> corrected(const StreamableProgram& program,
                                              const MachineToolpath& planned) const;

@@ -8,8 +8,7 @@
 
 namespace lamina {
 
-/// Keeps what arrives for a while, so that what was sent at the same time on another connection arrives
-/// before it is used.
+/// Delays the use of what arrives: messages sent at the same time on another connection then arrive before.
 class ArrivalHold {
  public:
   /// @param hold_s  real time
@@ -17,7 +16,7 @@ class ArrivalHold {
 
   /// @param now_s  on a steady clock
   void add(double now_s, std::function<void()> use);
-  /// Uses what has been kept long enough, in the order of arrival.
+  /// Uses everything that was kept long enough, in the order of arrival.
   void release(double now_s);
   /// Uses all.
   void releaseAll();

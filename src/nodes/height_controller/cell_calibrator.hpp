@@ -23,16 +23,16 @@
 
 namespace lamina {
 
-/// Calibrates the cell by what its node hears while the machine moves: keeps poses and clouds between BEGIN
-/// and FINISH, evaluates them, and puts what was found into the file of the calibration. A recording that
-/// does not determine it goes on.
+/// Calibrates the cell by messages received while the machine moves: records poses and clouds between BEGIN
+/// and FINISH, evaluates them, and writes the results into the calibration file. A recording that does not
+/// determine the results continues.
 ///
 /// Services  calibrate_time (lamina/CalibrateTime), calibrate_sensor (lamina/CalibrateSensor),
-///           calibrate_feeder (lamina/CalibrateFeeder), answered on a thread of their own: a print goes on
+///           calibrate_feeder (lamina/CalibrateFeeder), answered in a thread of their own: a print continues
 class CellCalibrator {
  public:
-  /// @param file     of the calibration; empty: what is found is only reported
-  /// @param most_mb  memory of what is kept [1e6 bytes]; with more, the recording is given up
+  /// @param file     calibration file; empty: results are only reported
+  /// @param most_mb  memory of the recording [1e6 bytes]; a larger recording is given up
   CellCalibrator(const ros::NodeHandle& node, std::string file, double most_mb);
   ~CellCalibrator();
   CellCalibrator(const CellCalibrator&) = delete;
@@ -41,7 +41,7 @@ class CellCalibrator {
   void add(const sensor_msgs::PointCloud2ConstPtr& cloud);
   void add(const geometry_msgs::TransformStamped& transform);
   void addFixed(const geometry_msgs::TransformStamped& transform);
-  /// What the toolpath published last is for.
+  /// Sets the machine of the toolpath published last.
   void setMachine(const std::string& machine);
 
   /// Whether the file was written since the last call.
@@ -55,12 +55,12 @@ class CellCalibrator {
       std::variant<sensor_msgs::PointCloud2ConstPtr, geometry_msgs::TransformStamped, FixedTransform>;
   /// One recording under way.
   struct Recording {
-    std::string service;       ///< that began it
-    std::vector<Heard> heard;  ///< and is not gathered yet
+    std::string service;       ///< service that began the recording
+    std::vector<Heard> heard;  ///< messages not gathered yet
     double bytes = 0.0;
-    bool is_given_up = false;  ///< as it takes too much memory
+    bool is_given_up = false;  ///< because it takes too much memory
   };
-  /// What an evaluation begins with.
+  /// Input of an evaluation.
   struct Evidence {
     SensorRecording recording;
     std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< by tf
@@ -74,9 +74,9 @@ class CellCalibrator {
                 lamina_msgs::CalibrateSensor::Response& response);
   bool onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
                 lamina_msgs::CalibrateFeeder::Response& response);
-  /// How one of the services does its work.
+  /// The functions of one of the services.
   struct Work {
-    std::function<void(const CalibrationSettings&)> check;  ///< throws where the request is to be refused
+    std::function<void(const CalibrationSettings&)> check;  ///< throws if the request is to be refused
     std::function<void(Evidence&)> evaluate;
   };
   template <class Request, class Response>
@@ -93,13 +93,13 @@ class CellCalibrator {
 
   const std::string file_;
   const double most_bytes_;
-  mutable std::mutex mutex_;                                      ///< of what follows
+  mutable std::mutex mutex_;                                      ///< guards what follows
   std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< by child frame
   std::unique_ptr<Recording> recording_;
   std::string machine_;
   std::atomic<bool> is_written_{false};
-  /// Of the recording under way, on the services' thread alone: clouds and poses are many, and a print must
-  /// not wait until they are copied.
+  /// Data of the recording under way, used by the services' thread only: clouds and poses are many, and a
+  /// print must not wait for copies.
   std::unique_ptr<RecordingGatherer> gathered_;
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;

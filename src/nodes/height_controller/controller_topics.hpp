@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Publishes what the loop does.
+/// Publishes the output of the loop.
 ///
 /// correction (lamina/CorrectionMap), replanned_toolpath (lamina/Toolpath), loop_state (lamina/LoopState),
 /// loop_figures (lamina/LoopFigures), loop_cells and gain_map (sensor_msgs/PointCloud2 of the latest layer),
@@ -25,7 +25,7 @@ class ControllerTopics {
   std::string publish(const CorrectionMap& map);
   void publish(const PrintPlan& plan);
   void publish(const lamina_msgs::LoopFigures& figures);
-  /// What has not changed since is not published again.
+  /// An unchanged state is not published again.
   void publish(const lamina_msgs::LoopState& state);
   void publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
   /// A new print begins: what is shown of the one before is to go.

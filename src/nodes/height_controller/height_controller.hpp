@@ -29,7 +29,7 @@
 
 namespace lamina {
 
-/// Changes what is deposited next by what is measured.
+/// Corrects the next deposits by measurements.
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
@@ -37,7 +37,7 @@ namespace lamina {
 /// ControllerTopics), alarm_reports
 ///             (lamina/AlarmReport), /diagnostics
 /// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger), and those of CellCalibrator
-/// Calls       pause (std_srvs/Trigger) where an alarm holds the print
+/// Calls       pause (std_srvs/Trigger) if an alarm holds the print
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
 class HeightController {
  public:
@@ -79,7 +79,7 @@ class HeightController {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   HeightControllerSettings settings_;  ///< as stated
-  std::vector<std::string> known_;     ///< of clock, place and feeder, and whence
+  std::vector<std::string> known_;     ///< known values of clock, place and feeder, with their sources
   SteadyClock clock_;
   ControllerTopics topics_;
   LoopAlarms alarms_;
@@ -94,7 +94,7 @@ class HeightController {
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
   std::string toolpath_fault_;                  ///< why the last toolpath could not be used
   double last_arrival_s_ = 0.0;
-  bool is_quiet_ = true;  ///< all that came was worked off
+  bool is_quiet_ = true;  ///< everything received was processed
   bool is_saved_ = true;
   bool is_learnt_saved_ = false;  ///< of the print under way
   /// A job that has ended.
@@ -102,7 +102,7 @@ class HeightController {
     std::uint8_t state = 0;  ///< of the machine
     double since_s = 0.0;
   };
-  std::optional<EndedJob> ended_;  ///< of which the last may still arrive
+  std::optional<EndedJob> ended_;  ///< whose last messages may still arrive
   PartWatch parts_;
   NodeDiagnostics diagnostics_;
   ros::Subscriber toolpath_;

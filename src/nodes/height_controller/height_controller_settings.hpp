@@ -14,9 +14,9 @@ struct HeightControllerSettings {
   std::string output_folder;    ///< empty: nothing is saved
   double queue_mb = 400.0;      ///< memory of the clouds that may wait for tf [1e6 bytes]
   double arrival_hold_s = 0.2;  ///< real time for which tf waits for clouds sent with it
-  std::string memory_file;      ///< what a restarted node goes on from; empty: nothing is kept
-  bool pauses_print = true;     ///< where an alarm holds the print
-  bool plans_followed = false;  ///< the executor goes on with plans by itself: they do not hold the print
+  std::string memory_file;      ///< state from which a restarted node continues; empty: none is kept
+  bool pauses_print = true;     ///< whether an alarm may hold the print
+  bool plans_followed = false;  ///< the executor follows plans by itself: plans do not hold the print
 };
 
 /// Adds the node's keys.

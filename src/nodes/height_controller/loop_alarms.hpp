@@ -17,8 +17,8 @@ class LoopAlarms {
   explicit LoopAlarms(const ros::NodeHandle& node);
 
   void raise(const RaisedAlarm& alarm);
-  /// Reports conditions as gone that were raised and do not stand any more, and raises those that stand and
-  /// were not, as a node before this one has left them.
+  /// Reports raised conditions that no longer stand as gone, and raises standing conditions that were not
+  /// raised, continuing from a previous instance of the node.
   void settle(const std::vector<RaisedAlarm>& standing);
 
  private:

@@ -9,8 +9,9 @@
 
 namespace lamina {
 
-/// Adds what became of clouds, of their points and of readings. Clouds received are the sum of all other
-/// numbers of clouds but those placed; points received are the sum of all other numbers of points.
+/// Adds the outcome of clouds, of their points and of readings. The number of received clouds is the sum of
+/// all other numbers of clouds except the placed ones; the number of received points is the sum of all other
+/// numbers of points.
 void addCounts(const FeedCounts& feed, const LoopCounts& loop,
                diagnostic_updater::DiagnosticStatusWrapper& status);
 

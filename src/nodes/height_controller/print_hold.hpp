@@ -10,32 +10,31 @@
 
 namespace lamina {
 
-/// Holds the print by the service `pause`. What does not answer is not waited for longer than `kPatience`:
-/// the loop goes on. An answer that comes later is passed on, and a hold that was asked for meanwhile is
-/// asked for again if that answer was a refusal.
+/// Holds the print by the service `pause`. An answer is awaited for `kPatience` at most: the loop continues.
+/// A later answer is passed on. If it is a refusal, a hold that was requested meanwhile is requested again.
 class PrintHold {
  public:
   static constexpr double kPatience = 1.0;  ///< s
 
-  /// What became of a request.
+  /// Outcome of a request.
   struct Answer {
     bool is_held = false;
     std::string text;         ///< for the log
-    bool is_passing = false;  ///< whether it was refused in a state that passes
+    bool is_passing = false;  ///< whether it was refused in a temporary state
   };
-  /// Asks for it and waits for the answer, on a thread of its own.
+  /// Requests a hold and waits for the answer, in a thread of its own.
   using Ask = std::function<Answer()>;
 
-  /// By the unit of the cell if there is one, else by the executor.
+  /// Holds by the unit of the cell if there is one, otherwise by the executor.
   PrintHold();
   explicit PrintHold(Ask ask) : ask_(std::move(ask)) {}
 
-  /// @return what became of it, for the log
+  /// @return outcome, for the log
   std::string hold();
-  /// The print that was to be held is over, or its loop is off: nothing is asked again.
+  /// States that the print is over, or its loop is off: no hold is requested again.
   void release();
-  /// What became of a request that `hold` did not wait for, once that is known. One that was refused in a
-  /// state that passes is made again, and reported once for each reason.
+  /// The outcome of a request for which `hold` did not wait, once it is known. A request refused in a
+  /// temporary state is repeated, and reported once for each reason.
   std::optional<std::string> takeLate();
 
  private:

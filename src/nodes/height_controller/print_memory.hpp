@@ -10,8 +10,8 @@
 
 namespace lamina {
 
-/// What the loop knows of the print under way, in a file from which another node can go on. A file that
-/// cannot be written is reported once, and the print goes on.
+/// The loop's knowledge of the print under way, in a file from which a restarted node can continue. A file
+/// that cannot be written is reported once, and the print continues.
 class PrintMemory {
  public:
   /// @param file  empty keeps nothing
@@ -19,21 +19,21 @@ class PrintMemory {
 
   bool isKept() const { return !file_.empty(); }
 
-  /// Goes on with the print as the file has it; without one, or one that is of another print, from the first
-  /// layer on, as the log then says.
+  /// Continues the print from the file. Without a file, or with one of another print, it begins with the
+  /// first layer and logs this.
   void resume(LoopRun& run);
-  /// The layer that a print went on after; none if it did not.
+  /// The layer after which the print was continued; none if it was not.
   const std::optional<std::size_t>& resumedAfter() const { return resumed_after_; }
 
-  /// The conditions that stood when a node before this one wrote the file; none if it cannot be read.
+  /// The conditions that stood when a previous node wrote the file; none if the file cannot be read.
   std::vector<RaisedAlarm> stood() const;
 
   void keep(const LoopMemory& memory);
-  /// What the operator asked for holds after a restart as well.
+  /// Keeps the operator's requests, which hold after a restart as well.
   void keepStatus(const LoopStatus& status);
-  /// The conditions that stand, which may begin and end amid a layer; written if they have changed.
+  /// Keeps the standing conditions, which may begin and end within a layer; written if they have changed.
   void keepStanding(const std::vector<RaisedAlarm>& standing);
-  /// The print is over.
+  /// States that the print is over.
   void forget();
 
  private:

@@ -11,14 +11,14 @@
 
 namespace lamina {
 
-/// Whether a unit in that state deposits nothing until somebody commands it: Held, stopped, aborted, at its
-/// end or on the way there. One that is suspended goes on by itself, and one that goes on deposits.
+/// Whether a unit in that state deposits nothing until it is commanded: all states except Starting, Execute,
+/// Unholding, Suspending, Suspended and Unsuspending. A suspended unit continues by itself.
 bool isAtBay(UnitState state);
 
-/// What became of a Hold that was asked of a unit.
+/// The outcome of a Hold command to a unit.
 /// @param result   of the command
 /// @param message  why it is refused; empty if it is not
-/// @param state    of the unit after that; none if it is not known
+/// @param state    state of the unit after the command; none if it is not known
 PrintHold::Answer answerToHold(CommandResult result, const std::string& message,
                                std::optional<UnitState> state);
 

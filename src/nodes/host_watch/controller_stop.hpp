@@ -22,10 +22,10 @@ class ControllerStop {
   ControllerStop(const ControllerStop&) = delete;
   ControllerStop& operator=(const ControllerStop&) = delete;
 
-  /// Opens the connection to a controller, once, so that a stop does not wait for one.
+  /// Opens the connection to a controller, once: a stop then does not wait for the connection.
   /// @param action  full name of its action
   void connect(const std::string& action);
-  /// Returns once the controller has said that it follows no goal, after 2 s at the latest.
+  /// Returns once the controller has reported that it follows no goal, after 2 s at the latest.
   /// @param begun  called once the cancellation has left; may be empty
   MachineStopReport stop(const std::string& action, const std::function<void()>& begun);
 
@@ -33,7 +33,7 @@ class ControllerStop {
   struct Controller {
     ros::Publisher cancel;
     ros::Subscriber status;
-    std::size_t goals = 0;    ///< that it followed by the last status
+    std::size_t goals = 0;    ///< number of goals followed by the last status
     double reported_s = 0.0;  ///< when that status came
   };
   void onStatus(const std::string& action, const actionlib_msgs::GoalStatusArray& status);

@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// Looks at the ROS graph again and again, in a thread of its own, since a master that is gone lets whoever
-/// asks wait: whether the master knows this node, and whether the watched ones answer, by which process.
+/// Checks the ROS graph repeatedly: whether the master knows this node, and whether the watched nodes answer,
+/// and by which process. It has a thread of its own, since requests to a lost master block.
 class GraphLook {
  public:
   /// @param mutex  of the watch

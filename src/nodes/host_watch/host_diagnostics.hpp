@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// What a host sees, and its alarms: OK without any, an error if the master or a host that is needed is lost,
-/// else a warning.
+/// The host's observations and its alarms: OK without any, an error if the master or a host that is needed is
+/// lost, else a warning.
 void fillDiagnostics(const lamina_msgs::HostState& host, const std::vector<HostAlarm>& alarms,
                      diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 

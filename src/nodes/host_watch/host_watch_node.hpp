@@ -19,11 +19,11 @@
 
 namespace lamina {
 
-/// The watch of one host on ROS: says what it sees, and raises alarms of the unit. Its topics:
+/// The watch of one host on ROS: publishes its observations, and raises alarms of the unit. Its topics:
 /// docs/nodes/host_watch.md.
 class HostWatchNode {
  public:
-  /// @throws DeviceError if the UDP port or the socket of pulses cannot be had
+  /// @throws DeviceError if the UDP port or the socket of pulses cannot be opened
   /// @throws InvalidConfig as `peersOf`
   HostWatchNode(ros::NodeHandle node, const HostWatchNodeSettings& settings);
 

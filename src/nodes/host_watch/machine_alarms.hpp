@@ -11,13 +11,13 @@
 
 namespace lamina {
 
-/// The alarms of a watched machine: 2201 while its streamer is lost, 2203 when it was stopped in its place,
-/// 2204 while that fails.
+/// The alarms of a watched machine: 2201 while its streamer is lost, 2203 when the machine was stopped in the
+/// streamer's place, 2204 while stopping it fails.
 class MachineAlarms {
  public:
-  /// What is to be raised, or has gone.
+  /// Alarms to be raised, and alarms that are gone.
   std::vector<HostAlarm> of(const GuardNews& news);
-  /// All conditions as they are, those that are not there as gone.
+  /// The present state of all conditions; those that do not stand are reported as gone.
   std::vector<HostAlarm> present() const;
 
  private:

@@ -15,12 +15,12 @@
 
 namespace lamina {
 
-/// Speaks with the other hosts over UDP, in a thread of its own: asks, answers, and passes on to the watch
-/// what it hears. Datagrams of anybody else are dropped. Receipts are stamped by the kernel.
+/// Exchanges datagrams with the other hosts over UDP, in a thread of its own: asks, answers, and passes
+/// answers on to the watch. Datagrams of other senders are dropped. The kernel stamps the times of arrival.
 class PeerLink {
  public:
   /// @param mutex  of the watch
-  /// @throws DeviceError if the address cannot be had
+  /// @throws DeviceError if the address cannot be used
   PeerLink(const HostWatchNodeSettings& settings, HostWatch& watch, std::mutex& mutex);
   ~PeerLink();
   PeerLink(const PeerLink&) = delete;

@@ -27,7 +27,7 @@ struct HostWatchNodeSettings {
   GuardSettings guard;
 };
 
-/// Another host, and where it is spoken to.
+/// Another host, and its address.
 struct PeerAddress {
   PeerHost host;
   std::string address;  ///< IPv4, in figures
@@ -37,11 +37,11 @@ struct PeerAddress {
 /// Adds the keys hosts.*, clock.*, master.*, disk.*, nodes and guard.*.
 void describe(SettingsSchema& schema, HostWatchNodeSettings& settings);
 
-/// What is watched, as the core takes it.
+/// The settings of the watch in the core.
 HostWatchSettings watchOf(const HostWatchNodeSettings& settings);
 
 /// The other hosts, in the order of their names.
-/// @throws InvalidConfig for an address that is none, and a host that is needed and not there
+/// @throws InvalidConfig for an invalid address, and for a required host that is not stated
 std::vector<PeerAddress> peersOf(const HostWatchNodeSettings& settings);
 
 /// Full names of the nodes that are watched.

@@ -9,21 +9,21 @@
 
 namespace lamina {
 
-/// Stamps of clouds in the order in which they came, of one sensor or of several. A single stamp far ahead,
-/// of a clock that is set or garbled, says nothing of what has come.
+/// Stamps of clouds of one or several sensors, in the order of arrival. A single stamp far ahead, from a
+/// clock that was set or a garbled message, is no evidence of what has arrived.
 class CloudStamps {
  public:
   static constexpr std::size_t kRemembered = 32;
 
-  /// A cloud has come; one without a stamp has no effect.
+  /// Adds an arrived cloud; a cloud without a stamp has no effect.
   void add(const ros::Time& stamp);
-  /// Whether clouds have come up to a stamp: that of one of the last `kRemembered`, or not after two that
-  /// came in turn.
+  /// Whether clouds have reached a stamp: it is that of one of the last `kRemembered`, or not later than two
+  /// consecutive ones.
   bool haveReached(const ros::Time& stamp) const;
 
  private:
   std::deque<ros::Time> last_;
-  ros::Time reached_;  ///< latest stamp that is not after two in turn
+  ros::Time reached_;  ///< latest stamp that is not later than two consecutive ones
 };
 
 }  // namespace lamina

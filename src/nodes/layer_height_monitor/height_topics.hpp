@@ -12,7 +12,7 @@
 namespace lamina {
 
 /// A report as it is published.
-/// @param counts  of all profiles since the toolpath came
+/// @param counts  counts of all profiles since the toolpath arrived
 lamina_msgs::LayerHeight toMessage(const LayerHeightReport& report, const std::string& toolpath_id,
                                    const lamina_msgs::ProfileCounts& counts);
 
@@ -27,15 +27,15 @@ class HeightTopics {
 
   void publish(const LayerHeightReport& report, const std::string& toolpath_id,
                const lamina_msgs::ProfileCounts& counts);
-  /// All is ready for the print of a toolpath.
-  /// @param toolpath_stamp  of its header
+  /// States that the node is ready for the print of a toolpath.
+  /// @param toolpath_stamp  stamp of the toolpath's header
   void publishMeasuring(const std::string& toolpath_id, const ros::Time& toolpath_stamp);
 
-  /// What was published of the maps is no longer true.
+  /// Marks the published maps as out of date.
   void outdateMaps();
 
-  /// Whether a map that is out of date has a subscriber. Maps are large: without one they are not published,
-  /// and a subscriber that comes later, even after the print, is one for whom they are.
+  /// Whether a map that is out of date has a subscriber. Maps are large: they are published only for
+  /// subscribers, also for those that connect later, even after the print.
   bool areMapsAwaited() const;
 
   /// Publishes the maps that are awaited.
@@ -47,7 +47,7 @@ class HeightTopics {
     bool is_outdated = false;
 
     bool isAwaited() const { return is_outdated && publisher && publisher.getNumSubscribers() > 0; }
-    /// Whether it is awaited; it counts as published from then on.
+    /// Whether the map is awaited; it counts as published from then on.
     bool take();
   };
 

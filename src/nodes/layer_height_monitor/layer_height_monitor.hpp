@@ -23,7 +23,7 @@
 
 namespace lamina {
 
-/// Compares what profiles show with what the toolpath should have given.
+/// Compares measured profiles with the heights that the toolpath should have given.
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one starts new maps), tf,
 ///             machine_state (lamina/MachineState; another part starts new maps)
@@ -69,8 +69,8 @@ class LayerHeightMonitor {
   SilenceWatch silence_;
   double last_maps_s_ = -std::numeric_limits<double>::infinity();
   bool is_saved_ = true;
-  bool is_announced_ = false;  ///< that the toolpath is being measured
-  bool is_finished_ = false;   ///< nothing more comes of the toolpath
+  bool is_announced_ = false;  ///< whether the measurement of the toolpath was announced
+  bool is_finished_ = false;   ///< whether the measurement of the toolpath is over
   Calibration calibration_;    ///< empty without a file
   ProfileIntake intake_;
   NodeDiagnostics diagnostics_;

@@ -15,7 +15,7 @@ struct LayerHeightMonitorSettings {
   std::string output_folder;          ///< empty: nothing is saved
   std::string calibration;            ///< file of results; empty: stamps and tf as they are
   SettingTable other_time_offsets_s;  ///< of further sensors, by the frame of their clouds
-  double silence_s = 30.0;    ///< without a profile for that long, in real time, a scan is given up; 0: never
+  double silence_s = 30.0;    ///< real time without a profile after which a scan is given up; 0: never
   double map_period_s = 1.0;  ///< between publications of the maps, in real time
   double queue_mb = 400.0;    ///< memory of the clouds that may wait for tf [1e6 bytes]
 };

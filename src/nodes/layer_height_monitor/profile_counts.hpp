@@ -8,14 +8,15 @@
 
 namespace lamina {
 
-/// What has become of the clouds since then; those that were waiting then count as received since.
+/// Counts of clouds from one time to another; clouds that were waiting at the first time count as received
+/// since.
 IntakeCounts since(const IntakeCounts& then, const IntakeCounts& now);
 
 /// @param intake  since the toolpath came
 /// @param use     of those placed
 lamina_msgs::ProfileCounts toMessage(const IntakeCounts& intake, const ProfileUse& use);
 
-/// Profiles that came, or should have come, and are in no map.
+/// Number of profiles that arrived, or should have, and are in no map.
 std::uint64_t unused(const lamina_msgs::ProfileCounts& counts);
 
 }  // namespace lamina

@@ -22,18 +22,18 @@
 
 namespace lamina {
 
-/// A profile where and when it was taken.
+/// A profile with the position and the time at which it was taken.
 struct PlacedProfile {
   ros::Time stamp;
   std::vector<Point3> points;  ///< [mm, bed frame]
 };
 
-/// When and from where the sensor of the calibrated frame sees (`CalibratedFrame`), and when others do.
-/// Stamps of those that are not stated are as they are, and tf has the places of all others.
+/// Time offset and pose of the sensor of the calibrated frame (`CalibratedFrame`), and time offsets of other
+/// sensors. Sensors without a stated offset have the offset 0; tf has the poses of all other sensors.
 struct CalibratedSensor {
   double time_offset_s = 0.0;                           ///< true time is the stamp less this
-  std::map<std::string, double> other_time_offsets_s;   ///< the same of others, by the frame of their clouds
-  std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< [mm]; none: as tf has it
+  std::map<std::string, double> other_time_offsets_s;   ///< offsets of others, by the frame of their clouds
+  std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< [mm]; nothing: the pose of tf
 };
 
 /// A number of clouds and of their points.
@@ -47,27 +47,27 @@ struct CloudTally {
   }
 };
 
-/// What became of clouds and of their points: what was received is the sum of those placed, those waiting and
+/// Outcome of clouds and of their points: the number received is the sum of those placed, those waiting and
 /// those that could not be used.
 struct IntakeCounts {
   CloudTally received;
   CloudTally placed;
   CloudTally waiting;                   ///< for tf
-  CloudTally without_frame;             ///< or without a stamp
+  CloudTally without_frame;             ///< without a frame or a stamp
   CloudTally malformed;                 ///< without the fields or bytes a cloud needs
-  CloudTally without_transform;         ///< older than what tf reported first
+  CloudTally without_transform;         ///< older than the first transform of tf
   CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
-  CloudTally pushed_out;                ///< of the queue, also as ROS time went back, while waiting for tf
+  CloudTally pushed_out;                ///< removed while waiting for tf, also as ROS time went back
   CloudTally of_former_print;           ///< still waiting when the next toolpath came
-  std::uint64_t waiting_bytes = 0;      ///< of memory, of those waiting
+  std::uint64_t waiting_bytes = 0;      ///< memory of the waiting clouds
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
   std::uint64_t points_not_finite = 0;  ///< of those placed
-  std::uint64_t transforms_forced = 0;  ///< on before their turn: too many waited for clouds
-  std::string last_fault;               ///< what was wrong with the last malformed one
+  std::uint64_t transforms_forced = 0;  ///< passed on before their turn, since too many waited for clouds
+  std::string last_fault;               ///< fault of the last malformed cloud
 };
 
 /// Receives profiles and places each on the bed by tf at its own stamp, however late tf is. Profiles and
-/// poses of the nozzle each come out in the order of their stamps; a profile comes after the first pose that
+/// poses of the nozzle are each passed on in the order of their stamps; a profile follows the first pose that
 /// is not older. (tf2_ros::MessageFilter is no choice: with thousands of clouds waiting it crashes in
 /// BufferCore::testTransformableRequests, and it releases clouds in any order.)
 class ProfileIntake {
@@ -80,22 +80,23 @@ class ProfileIntake {
 
   /// Subscribes to `profile` and to tf.
   /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
-  /// @param sensor    as calibrated; stamps of zero, or that it takes before 1970, count as without frame
+  /// @param sensor    as calibrated; stamps that are zero, or before 1970 after its correction, count as
+  ///   without frame
   ProfileIntake(ros::NodeHandle node, double queue_mb, CalibratedSensor sensor, Receivers receivers);
 
   IntakeCounts counts() const;
-  /// Whether somebody publishes profiles and somebody tf.
+  /// Whether profiles and tf have publishers.
   bool isConnected() const { return subscriber_.getNumPublishers() > 0 && transforms_.isConnected(); }
 
-  /// Whether tf has come up to `position` and profiles up to `profile` (`CloudStamps`), and all clouds that
-  /// these place are worked off. Zero stamps ask for no more than has come.
+  /// Whether tf has reached `position` and profiles have reached `profile` (`CloudStamps`), and all clouds
+  /// that these transforms place are processed. Zero stamps require no more than has arrived.
   bool hasCome(const ros::Time& position, const ros::Time& profile);
 
-  /// Leaves out, and counts, what belongs to a print that is over: clouds that wait, and poses of the nozzle
-  /// that were received and not given out.
+  /// Leaves out, and counts, data of a print that is over: waiting clouds, and received poses of the nozzle
+  /// that were not passed on.
   void startOver();
 
-  /// Changes with every cloud that comes or is placed and, while clouds wait, with every transform.
+  /// Changes with every cloud that arrives or is placed and, while clouds wait, with every transform.
   std::uint64_t news() const {
     const std::uint64_t transforms = counts_.waiting.clouds > 0 ? sequence_.received() : 0;
     return counts_.received.clouds + counts_.placed.clouds + transforms;
@@ -118,7 +119,7 @@ class ProfileIntake {
   bool isTooFull() const;
   void pushOutOldest();
   void passDue();
-  /// The frame of the oldest cloud, of those frames that tf names; empty if there is none.
+  /// The frame of the oldest cloud among the frames that tf names; empty if there is none.
   std::string nextFrame(const std::set<std::string>& passed_over) const;
   bool passFirst(const std::string& frame);
   void addNozzles();

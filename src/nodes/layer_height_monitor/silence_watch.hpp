@@ -6,17 +6,17 @@
 
 namespace lamina {
 
-/// Notices that nothing comes any more. Time counts while somebody looks: a node that did not run itself
-/// cannot know that others were silent.
+/// Detects silence. Only time between frequent calls of `look` counts: a node that did not run itself cannot
+/// know that others were silent.
 class SilenceWatch {
  public:
   /// @param longest_s  without news [s]; 0: no silence is too long
   explicit SilenceWatch(double longest_s) : longest_s_(longest_s) {}
 
-  /// Somebody looks; to be called all the time.
-  /// @param news   changes with everything that comes
+  /// Checks for silence; to be called continually.
+  /// @param news   number that changes with everything that arrives
   /// @param now_s  on a steady clock
-  /// @return whether nothing has come for longer than that
+  /// @return whether nothing has arrived for longer than `longest_s`
   bool look(std::uint64_t news, double now_s);
 
  private:

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Takes pictures of a camera as JPEG, at most five a second: as they come compressed, or encoded from raw
-/// ones.
+/// Takes pictures of a camera as JPEG, at most five a second: compressed images unchanged, raw images
+/// encoded.
 class CameraIntake {
  public:
   /// @param topic  of raw images; compressed ones are on the topic below it that ends in /compressed
@@ -34,7 +34,7 @@ class CameraIntake {
   ros::Subscriber compressed_;
   ros::Subscriber raw_;
   std::optional<double> taken_s_;             ///< nothing before the first
-  std::optional<double> compressed_taken_s_;  ///< the same, of those that came compressed
+  std::optional<double> compressed_taken_s_;  ///< of the last compressed picture
 };
 
 }  // namespace lamina

@@ -29,7 +29,7 @@ class OperatorPage {
   SteadyClock clock_;
   ros::Publisher address_;
   RosDesk desk_;
-  std::string damaged_store_;  ///< where the store of before is; empty if it was whole
+  std::string damaged_store_;  ///< path of the damaged former store; empty if it was intact
   WebStore store_;
   std::unique_ptr<OperatorSite> site_;
   std::unique_ptr<CameraIntake> camera_;

@@ -38,12 +38,12 @@ struct OperatorPageSettings {
 /// Adds the node's keys.
 void describe(SettingsSchema& schema, OperatorPageSettings& settings);
 
-/// What the page shows and takes from whom.
+/// What the page shows, and from whom it accepts commands.
 /// @param folder  of the page, absolute
 SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& folder);
 
-/// Where and for how many the page listens. With TLS and no certificate stated, makes one in the folder if it
-/// is not there.
+/// Address at which the page listens, and the limits on connections. With TLS and no certificate stated,
+/// makes one in the folder if it is not there.
 /// @throws InvalidConfig for a certificate without its key; FileError
 WebServerSettings webServerOf(const OperatorPageSettings& settings, const std::string& folder);
 

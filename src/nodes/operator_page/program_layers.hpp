@@ -11,9 +11,9 @@
 namespace lamina {
 
 /// All layers of a program, at most a million points of it. Layers are those of the slicer's comments;
-/// without any, one begins at each new height that something is deposited at.
-/// @param is_unwanted  ends it
-/// @throws Error if it cannot be read, has more than 256 MB, or is not wanted any more
+/// without comments, a layer begins at each new height of deposition.
+/// @param is_unwanted  ends the call when true
+/// @throws Error if the program cannot be read, has more than 256 MB, or is not wanted any more
 std::vector<LayerPreview> layersOf(const std::string& program, const std::atomic<bool>& is_unwanted);
 
 }  // namespace lamina

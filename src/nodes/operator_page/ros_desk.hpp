@@ -18,7 +18,7 @@
 
 namespace lamina {
 
-/// The cell as it is reached by ROS: what topics say of it, and services that take orders.
+/// The cell over ROS: its state from topics, and services that take orders.
 class RosDesk final : public CellDesk {
  public:
   /// @param patience_s  for an answer of the cell
@@ -71,13 +71,13 @@ class RosDesk final : public CellDesk {
   ros::NodeHandle node_;
   double patience_s_;
   SteadyClock clock_;
-  mutable std::mutex mutex_;  // of what was heard
+  mutable std::mutex mutex_;  // guards received messages
   CellSnapshot seen_;
   ShownDeviation deviation_;
   ProgramPreview preview_{layersOf};
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
-  // What stops the unit waits behind nothing else; programs are read, and meshes sliced, for minutes.
+  // Orders that stop the unit wait behind no others; reading programs and slicing meshes takes minutes.
   OrderLane stops_;
   OrderLane orders_;
   OrderLane programs_;

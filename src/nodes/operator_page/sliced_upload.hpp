@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// The files of an uploaded mesh that is sliced, beside the upload: the mesh under a name with its suffix, by
-/// which its format is known, and the program. Both are deleted with this object.
+/// The files of an uploaded mesh that is sliced, beside the upload: the mesh under a name with the suffix of
+/// its format, and the program. Both are deleted with this object.
 class SlicedUpload {
  public:
   /// @throws FileError if the mesh cannot be linked
@@ -19,12 +19,12 @@ class SlicedUpload {
   SlicedUpload(const SlicedUpload&) = delete;
   SlicedUpload& operator=(const SlicedUpload&) = delete;
 
-  /// The request to slice it. Nothing is published: nodes that follow a print would take the toolpath for
-  /// that of the print.
+  /// The request to slice the mesh. Nothing is published: nodes that follow a print would mistake the
+  /// toolpath for that of the print.
   lamina_msgs::SliceMesh request() const;
   /// The program to be queued.
   DeskProgram program() const;
-  /// A message with the names that the sender knows in place of the paths of these files.
+  /// A message in which the paths of these files are replaced by the names that the sender knows.
   std::string withNames(std::string message) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// How studies are searched that do not say it themselves.
+/// Search settings for studies that do not state their own.
 struct OptimiserSettings {
   SearchSettings search;
   KrigingSettings kriging;
@@ -19,7 +19,7 @@ struct OptimiserSettings {
 /// Adds the keys nsga2.*, surrogate.*, genetic.* and kriging.*.
 void describe(SettingsSchema& schema, OptimiserSettings& settings);
 
-/// What of the settings differs from the defaults, as a study holds it.
+/// The settings that differ from the defaults, in the form of a study.
 std::vector<SettingText> searchTexts(OptimiserSettings settings);
 
 }  // namespace lamina

@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Reports a client how far a study is: the stage, and with it what the last generation or iteration found.
-/// Cancelled as `ActionProgress` is.
+/// Reports the progress of a study to a client: the stage, and the findings of the last generation or
+/// iteration. Cancelled as `ActionProgress` is.
 class StudyFeedback final : public Progress {
  public:
   using Server = actionlib::SimpleActionServer<lamina_msgs::OptimiseAction>;
@@ -26,7 +26,7 @@ class StudyFeedback final : public Progress {
   void report(const std::string& stage, double fraction) override;
   bool isCancelled() const override { return cancelling_.isCancelled(); }
 
-  /// Always published, whenever the last feedback was.
+  /// Publishes in any case, however recent the last feedback.
   void send(const StudyState& state);
 
  private:

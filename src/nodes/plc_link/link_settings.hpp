@@ -16,7 +16,7 @@ struct LinkSettings {
   std::string bind = "127.0.0.1";
   int port = 1502;  ///< 0 for any that is free
   int connections = 4;
-  std::string allow = "127.0.0.1";  ///< addresses, commas between
+  std::string allow = "127.0.0.1";  ///< addresses, separated by commas
   PlcLinkSettings link;
   WatchdogAction on_silence = WatchdogAction::Hold;
 };
@@ -24,7 +24,7 @@ struct LinkSettings {
 /// Adds the keys modbus.*.
 void describe(SettingsSchema& schema, LinkSettings& settings);
 
-/// Where and for whom the server listens.
+/// Address of the server, and the clients that it accepts.
 ModbusServerSettings serverSettings(const LinkSettings& settings);
 
 }  // namespace lamina

@@ -17,21 +17,21 @@
 
 namespace lamina {
 
-/// What the PLC asks for, with what stood in its registers then.
+/// A request of the PLC, with the contents of its registers at that time.
 struct WrittenOrder {
   PlcOrder order;
   lamina_msgs::PlcInputs inputs;
 };
 
-/// Passes the PLC's orders on to the unit, one after the other, in a thread of its own: whoever answers the
-/// PLC never waits for the unit. Orders that stop come before those that wait, and commands that wait to move
-/// are then answered Busy and forgotten.
+/// Passes the PLC's orders on to the unit, one after the other, in a thread of its own: answers to the PLC
+/// never wait for the unit. Orders to stop overtake waiting orders; waiting commands to move are then
+/// answered Busy and dropped.
 class OrderDesk {
  public:
-  /// @param answered  what became of an order; called from the desk's thread
+  /// @param answered  receives the outcome of an order; called from the desk's thread
   OrderDesk(const ros::NodeHandle& node,
             std::function<void(const PlcOrder&, CommandResult, const std::string&)> answered);
-  /// Waits for the order under way; later ones are not given.
+  /// Waits for the order under way; later orders are not sent.
   ~OrderDesk();
   OrderDesk(const OrderDesk&) = delete;
   OrderDesk& operator=(const OrderDesk&) = delete;

@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// What stands between PLC and unit.
+/// State of the connection between PLC and unit.
 struct PlcReach {
   bool is_unit_here = false;      ///< whether the unit reports
-  std::string last_refusal;       ///< of what the PLC asked for; empty if nothing was refused
+  std::string last_refusal;       ///< last refused request of the PLC; empty if none was refused
   std::string last_break;         ///< why a connection was closed last; empty if none was
-  std::size_t broken_frames = 0;  ///< number of connections closed for what they sent
+  std::size_t broken_frames = 0;  ///< number of connections closed because of invalid frames
 };
 
 /// The link: OK, or a warning if the unit is silent or no heartbeat has come yet, or an error if the

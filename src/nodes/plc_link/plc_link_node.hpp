@@ -21,8 +21,8 @@
 
 namespace lamina {
 
-/// The PLC link on ROS: shows the unit in registers, passes on what the PLC asks for, and publishes what it
-/// says. Its topics and parameters: docs/nodes/plc_link.md.
+/// The PLC link on ROS: shows the unit in registers, passes on the PLC's requests, and publishes its inputs.
+/// Its topics and parameters: docs/nodes/plc_link.md.
 class PlcLinkNode {
  public:
   /// @throws DeviceError if it cannot listen
@@ -62,17 +62,17 @@ class PlcLinkNode {
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
 
-  std::mutex mutex_;  ///< of everything below, but the server and the desk
+  std::mutex mutex_;  ///< guards everything below except the server and the desk
   PlcLink link_;
   UnitView view_;
-  std::string corrected_;  ///< toolpath that the maps of `view_` are of
+  std::string corrected_;  ///< toolpath of the maps in `view_`
   PlcHeartbeat heartbeat_ = PlcHeartbeat::Unarmed;
   ros::Time linked_;
   std::uint32_t sequence_ = 0;
   std::uint32_t published_news_ = 0;
   double published_s_ = 0.0;
   bool is_unit_here_ = false;
-  bool is_reach_reported_ = false;  ///< to the unit: that other hosts reach the link, if they do
+  bool is_reach_reported_ = false;  ///< whether the unit was told that other hosts can reach the link
   RepeatWatch broken_frames_;
   RepeatWatch refusals_;
   std::string refusal_;  // the last

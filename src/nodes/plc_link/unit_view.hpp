@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What the nodes of a cell have said last, as far as the PLC's registers have a place for it.
+/// The last messages of a cell's nodes, as far as the PLC's registers show them.
 struct UnitView {
   lamina_msgs::PackmlStatus unit;
   lamina_msgs::CellAlarms alarms;
@@ -22,17 +22,17 @@ struct UnitView {
   lamina_msgs::LoopState loop;
   lamina_msgs::LayerHeight layer;
   lamina_msgs::LoopFigures figures;                ///< of the layer measured last, by the loop
-  std::map<std::string, double> mean_corrections;  ///< of maps by their digest
+  std::map<std::string, double> mean_corrections;  ///< mean correction of each map, by its digest
   double unit_heard_s = 0.0;                       ///< when the unit's status came
-  double process_heard_s = 0.0;                    ///< and what the process does
-  double printed_heard_s = 0.0;                    ///< and how much of the job is printed
-  double heaters_heard_s = 0.0;  ///< and the temperatures, ten times a second as long as a job or a step runs
+  double process_heard_s = 0.0;                    ///< when the state of the process came
+  double printed_heard_s = 0.0;                    ///< when the printed length and material came
+  double heaters_heard_s = 0.0;  ///< when the temperatures came, ten times a second during a job or step
 };
 
-/// Mean of a map's relative amounts by the length of what they correct; 0 for an empty one.
+/// Mean of a map's relative amounts, weighted by the corrected lengths; 0 for an empty map.
 double meanCorrection(const lamina_msgs::CorrectionMap& map);
 
-/// The same for the registers. What nobody says is 0.
+/// The view as register values. Values that no node reports are 0.
 /// @param now_s  by the clock of the times in @p view
 PlcStatus plcStatus(const UnitView& view, double now_s);
 

@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// What a person at the terminal sees of the work: one line, redrawn in place, or a line for every tenth
-/// where standard output is no terminal.
+/// Progress on the terminal: one line, redrawn in place, or a line for every tenth if standard output is no
+/// terminal.
 class ConsoleProgress {
  public:
   ConsoleProgress();

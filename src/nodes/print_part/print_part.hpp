@@ -20,7 +20,7 @@ namespace lamina {
 ///
 /// Action clients   slice (lamina/Slice), stream_program (lamina/StreamProgram)
 /// Service clients  finish_measuring (lamina/FinishMeasuring), save_height_map (std_srvs/Trigger),
-///                  machine_rest (lamina/MachineRest), where the machine has it
+///                  machine_rest (lamina/MachineRest), if the machine has it
 /// Subscribes       toolpath (lamina/Toolpath), measuring (lamina/Measuring), layer_height
 ///                  (lamina/LayerHeight), tf
 class PrintPart {
@@ -29,9 +29,9 @@ class PrintPart {
   /// @throws TimedOut if one of them is not there
   PrintPart(ros::NodeHandle node, PrintPartSettings settings);
 
-  /// A program under way is stopped safely before this throws.
+  /// A program under way is stopped safely before an exception leaves the function.
   /// @throws Error with the code and message of the node that failed
-  /// @throws TimedOut if one falls silent
+  /// @throws TimedOut if a node falls silent
   /// @throws Cancelled when the process is asked to stop, or ROS shuts down
   PrintReport run();
 
@@ -40,11 +40,11 @@ class PrintPart {
 
   void subscribe(ros::NodeHandle& node);
   void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
-  /// Reports of a print before, of the same part too, are not this one's.
+  /// Whether a report belongs to this print; reports of an earlier print, also of the same part, do not.
   bool isOfThisPrint(const lamina_msgs::LayerHeight& layer) const;
-  /// Until the monitor is ready for the toolpath.
+  /// Waits until the monitor is ready for the toolpath.
   void awaitMeasuring();
-  /// Until tf is where the machine is.
+  /// Waits until tf has reached the machine's position.
   void awaitFollowing();
   lamina_msgs::SliceResult slice();
   lamina_msgs::StreamProgramResult stream();
@@ -78,7 +78,7 @@ class PrintPart {
   lamina_msgs::FinishMeasuringResponse finish_;  ///< what the monitor last answered
   std::vector<lamina_msgs::LayerHeight> layers_;
   std::vector<std::size_t> scanned_;  ///< layers with a scan pass
-  bool has_everything_ = false;       ///< the monitor, up to the machine's last stamp
+  bool has_everything_ = false;       ///< whether the monitor has all up to the machine's last stamp
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber measuring_subscriber_;
   ros::Subscriber layer_subscriber_;

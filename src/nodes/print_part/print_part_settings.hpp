@@ -12,8 +12,8 @@ namespace lamina {
 struct PrintPartSettings {
   std::string part = "blade";            ///< a mesh file, or the name of a parametric part
   std::string output_folder = "output";  ///< for part.gcode, toolpath.png and summary
-  double patience_s = 120.0;             ///< how long another node may stay silent
-  double scan_clearance_mm = 1.0;        ///< that the scan passes are planned with
+  double patience_s = 120.0;             ///< longest silence of another node
+  double scan_clearance_mm = 1.0;        ///< clearance with which the scan passes are planned
 };
 
 /// Adds the keys part, output_folder, patience_s and scan.clearance_mm.

@@ -20,10 +20,9 @@
 
 namespace lamina {
 
-/// Sends what the process is to do to its devices, in step with the motion. Its topics:
-/// docs/nodes/process_io.md.
+/// Sends process values to the devices, in step with the motion. Its topics: docs/nodes/process_io.md.
 ///
-/// Values are found in a thread of their own; each device is served by another.
+/// Values are computed in a thread of their own; each device is served by another thread.
 class ProcessIo {
  public:
   /// @throws InvalidConfig if the tables do not fit
@@ -49,8 +48,8 @@ class ProcessIo {
   ros::Publisher state_;
   ros::Publisher ready_;
   ros::Publisher alarms_;
-  std::vector<std::unique_ptr<DeviceLink>> links_;  ///< as in the tables
-  std::vector<std::size_t> order_;                  ///< of devices: the beam's first
+  std::vector<std::unique_ptr<DeviceLink>> links_;  ///< in the order of the tables
+  std::vector<std::size_t> order_;                  ///< order of devices: the beam's first
 
   mutable std::mutex mutex_;  ///< of what follows up to the subscribers
   ProcessBridge bridge_;
@@ -65,7 +64,7 @@ class ProcessIo {
   ros::WallTimer state_timer_;
   ros::WallTimer ready_timer_;
   NodeDiagnostics diagnostics_;
-  // Last, so that no cycle runs while the rest is destroyed.
+  // Declared last: no cycle runs while the other members are destroyed.
   std::unique_ptr<PeriodicThread> cycle_;
 };
 

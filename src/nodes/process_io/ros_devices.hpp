@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Of the kinds set_io and topic too.
+/// As `makeProcessDevice`, also for the kinds set_io and topic.
 /// @throws InvalidConfig as `makeProcessDevice`
 std::unique_ptr<ProcessDevice> makeRosDevice(const ros::NodeHandle& node, const DeviceTable& table);
 

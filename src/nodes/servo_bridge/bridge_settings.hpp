@@ -11,7 +11,7 @@ namespace lamina {
 struct ServoBridgeSettings {
   MachineSettings machine = {"irb_4600", ""};
   ServojDriveSettings drive;
-  bool is_emulated = false;     ///< whether the robot is not there
+  bool is_emulated = false;     ///< whether the robot is emulated
   double report_hz = 50.0;      ///< of positions and feedback
   double path_tolerance = 0.0;  ///< of every joint while it follows [rad]; 0 for none
 };

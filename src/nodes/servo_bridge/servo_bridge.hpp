@@ -18,8 +18,8 @@
 
 namespace lamina {
 
-/// Leads a robot of Universal Robots by servoj: plays joint trajectories to it, goal after goal, and reports
-/// where it is. Its action and topics: docs/nodes/servo_bridge.md.
+/// Leads a robot of Universal Robots by servoj: streams joint trajectories to it, goal after goal, and
+/// reports its position. Its action and topics: docs/nodes/servo_bridge.md.
 class ServoBridge {
  public:
   /// @throws InvalidConfig if the robot is unknown or has not six rotary joints; DeviceError if it cannot
@@ -50,7 +50,7 @@ class ServoBridge {
   ServoBridgeSettings settings_;
   std::unique_ptr<const KinematicModel> model_;
   MachineTransforms transforms_;
-  std::unique_ptr<EmulatedRobot> emulated_;  ///< if the robot is not there
+  std::unique_ptr<EmulatedRobot> emulated_;  ///< set if the robot is emulated
   std::unique_ptr<ServojDrive> drive_;
   SteadyClock clock_;
   Epoch epoch_;                ///< of the motion under way
@@ -60,7 +60,7 @@ class ServoBridge {
   ros::Time last_report_;
   JointValues speed_;  ///< of the joints, between the last two reports
   bool has_been_connected_ = false;
-  std::string connection_;  ///< what was logged of it last
+  std::string connection_;  ///< state of the connection as last logged
   std::string rights_;      ///< of the thread that leads the robot
   ros::Publisher position_;
   NodeDiagnostics diagnostics_;

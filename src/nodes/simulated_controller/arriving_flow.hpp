@@ -8,15 +8,15 @@
 
 namespace lamina {
 
-/// What of a flow that is asked for arrives: after the feeder's dead time, as its lag follows, times its
-/// gain. A feeder without any of it gives what is asked for to the last bit.
+/// The flow that arrives if a flow is requested: delayed by the feeder's dead time and lag, times its gain. A
+/// feeder without these deviations delivers exactly the requested flow.
 class ArrivingFlow {
  public:
-  /// @param plant  of which gain, dead time and lag count
+  /// @param plant  its gain, dead time and lag are used
   explicit ArrivingFlow(PlantSettings plant);
 
-  /// The flow that arrives at a time while another is asked for, which holds until the next call.
-  /// @param now_s  not before that of the call before
+  /// The flow that arrives at a time. The flow requested in this call holds until the next call.
+  /// @param now_s  not before that of the previous call
   double at(double now_s, double asked_mm3_s);
 
  private:
@@ -26,7 +26,7 @@ class ArrivingFlow {
   };
 
   PlantSettings plant_;
-  std::deque<Asked> asked_;  ///< as far back as the dead time reaches
+  std::deque<Asked> asked_;  ///< requested flows within the dead time
   double last_s_ = 0.0;
   double follows_mm3_s_ = 0.0;
 };

@@ -9,11 +9,12 @@
 
 namespace lamina {
 
-/// Goals whose process has not come yet. A client sends the process of a goal with the goal's stamp, on
+/// Goals whose process has not arrived yet. A client sends the process of a goal with the goal's stamp, on
 /// another connection; each connection keeps its order.
 class AwaitedProcess {
  public:
-  /// @param expected_s  that the stamp of a goal may be after the last process; after more, none is expected
+  /// @param expected_s  longest time by which a goal's stamp may follow the last process; for later goals no
+  ///   process is expected
   explicit AwaitedProcess(double expected_s) : expected_s_(expected_s) {}
 
   void hearGoal(const ros::Time& stamp);

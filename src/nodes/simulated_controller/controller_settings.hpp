@@ -15,13 +15,13 @@ namespace lamina {
 struct ControllerSettings {
   MachineSettings machine;
   ServoSettings servo;
-  PlantSettings plant;                  ///< what is wrong with the process
-  double report_hz = 50.0;              ///< of positions, feedback and the process
-  double path_tolerance = 0.0;          ///< of every joint while it follows [mm, rad]; 0 for none
-  double host_wait_s = 0.0;             ///< that a slow host may be late with goals and their process
-  std::vector<double> deposit_area_mm;  ///< of the bed that keeps deposits: least x, y, greatest x, y;
+  PlantSettings plant;          ///< deviations of the process
+  double report_hz = 50.0;      ///< of positions, feedback and the process
+  double path_tolerance = 0.0;  ///< of every joint while it follows [mm, rad]; 0 for none
+  double host_wait_s = 0.0;     ///< time by which a slow host may be late with goals and their process
+  std::vector<double> deposit_area_mm;  ///< area of the bed with deposits: least x, y, greatest x, y;
                                         ///< empty keeps and measures nothing
-  double deposit_cell_mm = 0.25;        ///< of the map of what is deposited
+  double deposit_cell_mm = 0.25;        ///< side of a cell of the deposit's map
   GrownDepositSettings grown;
   ProfileSensorSettings sensor;
   std::vector<double> sensor_mount_mm;    ///< sensor in the nozzle's frame, where the URDF has none; empty:
@@ -33,7 +33,7 @@ struct ControllerSettings {
 /// profile_while_depositing.
 void describe(SettingsSchema& schema, ControllerSettings& settings);
 
-/// Where the sensor is in the nozzle's frame [mm], where the URDF has none; it looks along the nozzle.
+/// Position of the sensor in the nozzle's frame [mm] if the URDF has no sensor; it looks along the nozzle.
 Point3 sensorMount(const ControllerSettings& settings);
 
 }  // namespace lamina

@@ -12,27 +12,27 @@
 
 namespace lamina {
 
-/// Where the nozzle is at an instant, and what flows from it.
+/// Position and flow of the nozzle at an instant.
 struct NozzleInstant {
   double time_s = 0.0;
   Point3 tip = Point3::Zero();  ///< [mm, bed]
-  double asked_mm3_s = 0.0;     ///< flow that the feeder is asked for
+  double asked_mm3_s = 0.0;     ///< flow requested from the feeder
 };
 
-/// What a simulated machine has deposited on a part of its bed, and what its profile sensor sees of it. The
-/// process is that of the emulated machine: the same beads grow to the same heights.
+/// The deposit of a simulated machine on an area of its bed, and its profile sensor. The process is that of
+/// the emulated machine: the same beads grow to the same heights.
 class DepositedMaterial {
  public:
-  /// @throws InvalidConfig if the area is none, or has more cells than a map can have
+  /// @throws InvalidConfig if the area is invalid, or has more cells than a map can have
   explicit DepositedMaterial(const ControllerSettings& settings);
 
-  /// Lays what flows from the instant before to this one, straight from tip to tip. The first one lays
-  /// nothing.
+  /// Deposits the flow between the previous instant and this one, straight from tip to tip. The first call
+  /// deposits nothing.
   void observe(const NozzleInstant& now);
 
-  /// What the sensor sees [mm, sensor frame].
+  /// The points that the sensor measures [mm, sensor frame].
   std::vector<Point3> seenFrom(const Eigen::Isometry3d& bed_from_sensor, double now_s);
-  /// By how much the next stamp is later than the time of what it is of [s].
+  /// Delay of the next stamp against the time of measurement [s].
   double stampError() { return sensor_.stampError(); }
 
   const HeightMap& surface() const { return deposit_.surface(); }

@@ -12,10 +12,10 @@ namespace lamina {
 /// The process as it was sent ahead. Times are those of ROS.
 class ProcessQueue {
  public:
-  /// Takes the place of what was sent for its stamp and later. It holds for at most
-  /// `ProcessPlan::kLongestHold` behind its last point, whatever it states.
+  /// Replaces the process from the message's stamp on. A process holds for at most
+  /// `ProcessPlan::kLongestHold` after its last point, whatever the message states.
   void accept(const lamina_msgs::ProcessTrajectory& message);
-  /// Safe before the first point and once what was sent last has run out.
+  /// The process at a time; safe before the first point and after the end of the last message.
   ProcessSignals at(const ros::Time& now);
 
  private:

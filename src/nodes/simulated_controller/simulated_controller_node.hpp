@@ -22,13 +22,13 @@
 
 namespace lamina {
 
-/// A machine or robot that is not there: follows joint trajectories as its controller would, goal after goal,
-/// and reports where it is and what its process does; on a part of its bed it keeps what it lays, and looks
-/// at it with a profile sensor. Its action and topics: docs/nodes/simulated_controller.md.
+/// A simulated machine or robot: follows joint trajectories like a controller, goal after goal, and reports
+/// its position and process. On an area of its bed it stores its deposit, and measures it with a profile
+/// sensor. Its action and topics: docs/nodes/simulated_controller.md.
 ///
-/// It has a clock of its own, that of ROS less what it stood still. A report is of the time that it is
-/// stamped with, however late it is made; none is left out. Goals and their process may be later than that by
-/// as much as the first of them was late; feedback is stamped by the goals.
+/// Its clock is ROS time less the time for which it stood still. A report describes the time of its stamp,
+/// however late it is made; none is left out. Goals and their process may be late by the delay of the first
+/// goal; feedback is stamped by the goals' clock.
 class SimulatedControllerNode {
  public:
   /// @throws InvalidConfig if the machine is unknown
@@ -48,7 +48,7 @@ class SimulatedControllerNode {
   void warnOfStarvation();
   /// Runs and reports all that is due.
   void catchUp();
-  /// How far its own time may go [s].
+  /// Time up to which its own clock may advance [s].
   double due();
   std::optional<double> nextWait() const;
   ros::Time stampOf(double time_s) const { return epoch_ + ros::Duration(time_s); }
@@ -63,15 +63,15 @@ class SimulatedControllerNode {
   MachineTransforms transforms_;
   ManualClock clock_;
   ros::Time epoch_;
-  double stood_s_ = 0.0;                   ///< so long time has stood still so far
+  double stood_s_ = 0.0;                   ///< total time for which the clock stood still
   std::optional<ros::Time> stands_since_;  ///< while it does
-  double behind_s_ = 0.0;                  ///< that goals are followed after their stamps
+  double behind_s_ = 0.0;                  ///< delay with which goals are followed after their stamps
   std::uint64_t reports_ = 0;
   SimulatedController controller_;
   ProcessQueue process_;
   ArrivingFlow flow_;
   AwaitedProcess awaited_;
-  std::optional<DepositedMaterial> material_;  ///< if it keeps what it lays
+  std::optional<DepositedMaterial> material_;  ///< set if it stores its deposit
   /// In the nozzle's frame [mm]; nothing if the URDF has a sensor.
   std::optional<Eigen::Isometry3d> nozzle_from_sensor_;
   std::optional<tf2_ros::StaticTransformBroadcaster> static_tf_;  ///< of that

@@ -52,7 +52,7 @@ class SlicingService {
     lamina_msgs::SliceSummary summary;
   };
 
-  /// What was found in a toolpath; empty as far as it was not asked for.
+  /// Findings in a toolpath; empty unless requested.
   struct Findings {
     OverhangReport overhangs;
     ClearanceReport clearance;

@@ -19,30 +19,30 @@
 
 namespace lamina {
 
-/// A toolpath where it is driven.
+/// A toolpath and its pose on the bed.
 struct DrivenToolpath {
   std::string id;
-  Toolpath toolpath;  ///< as it is timed: its waypoints are those that states head for [mm, part frame]
+  Toolpath toolpath;  ///< as timed: states refer to its waypoints [mm, part frame]
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
 };
 
-/// What became of a layer's map.
+/// Outcome of a layer's map.
 struct DrivenLayer {
   std::string toolpath_id;
   std::string digest;  ///< of the map; empty if the layer is driven as planned
-  MissedMap missed;    ///< what of the layer had been handed over before, and why a map is not used
+  MissedMap missed;    ///< part of the layer handed over before the map, and why a map is not used
 };
 
-/// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
-/// back along its tool axis by the height, through the machine's inverse kinematics on the branch that it is
-/// on. Times stay. What was handed over stays, too: heights go over from there at `kHeightSpeed` at most, so
-/// that joints do not jump, and amounts no faster than the feeder follows, to a map that comes late, to the
-/// coasting map of a layer that was waited for in vain, and to 0 where none is.
+/// Corrects a trajectory by the maps that arrive before it is handed over: the flow by the amount, the nozzle
+/// back along its tool axis by the height, through the machine's inverse kinematics on the present branch.
+/// Times stay. Chunks handed over stay, too: from there heights change at `kHeightSpeed` at most, to avoid
+/// jumps of joints, and amounts no faster than the feeder follows. They change to a map that comes late, to
+/// the coasting map of a layer whose map did not come, or to 0 without any map.
 class ChunkCorrection {
  public:
   static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along its axis, by corrections [mm/s]
 
-  /// @param settings  of which the feeder's delay and limits count; amounts are led by them
+  /// @param settings  its feeder's delay and limits are used; amounts are advanced by the delay
   /// @param model     must outlive this
   ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& settings, const KinematicModel& model);
 
@@ -50,12 +50,12 @@ class ChunkCorrection {
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map, const std::string& digest);
 
-  /// The layer is handed over by its coasting map, or as planned, having been waited for. A map that comes
-  /// later is used for what is left of it.
+  /// Ends the wait for a layer's map: the layer is handed over by its coasting map, or as planned. A later
+  /// map is used for the rest of the layer.
   void giveUp(std::size_t layer, double waited_s);
-  /// The plan is not gone on with: its first layer is reported as not deposited, with the reason.
+  /// States that a plan is not followed: its first layer is reported as not deposited, with the reason.
   void refusePlan(const std::string& plan_id, const std::string& reason);
-  /// All was handed over: what has no map by now was driven as planned.
+  /// States that everything was handed over: layers without a map were driven as planned.
   void end();
 
   const std::string& toolpathId() const { return driven_.id; }
@@ -63,28 +63,28 @@ class ChunkCorrection {
   /// Whether a layer has a map.
   bool isKnown(std::size_t layer) const { return maps_.count(layer) > 0; }
 
-  /// The next chunk, corrected. Where a height cannot be reached, or would lead a joint out of its limits, it
-  /// stays as it was.
+  /// The next chunk, corrected. A height that cannot be reached, or would lead a joint out of its limits, is
+  /// not applied.
   TrajectoryChunk corrected(TrajectoryChunk chunk);
 
-  /// The first height of the last chunk that stayed as it was, in words: layer, path, joint, value and
-  /// limits. Empty if there was none, or once it was taken.
+  /// The first height of the last chunk that was not applied, in words: layer, path, joint, value and limits.
+  /// Empty if there was none, or once it was taken.
   std::string takeRefusal() { return std::exchange(refusal_, {}); }
 
-  /// Since the last call, each change of what a layer is driven by: its map came, none came in time (with
-  /// the digest of its coasting map if it is driven by that), all of it was handed over without one, or a
-  /// later map of it is not used. Later maps that are used change nothing: the layer is driven by its maps.
-  /// Layers that the toolpath does not have are left out.
+  /// Changes since the last call in how layers are driven: a layer's map came, none came in time (with the
+  /// digest of the coasting map if that is used), the whole layer was handed over without one, or a later map
+  /// is not used. Later maps that are used change nothing: the layer is driven by its maps. Layers that the
+  /// toolpath does not have are left out.
   std::vector<DrivenLayer> takeLayers() { return std::exchange(layers_, {}); }
 
  private:
-  /// What is asked for at a point of the trajectory.
+  /// Requested corrections at a point of the trajectory.
   struct Asked {
     double amount = 0.0;
     double dz_mm = 0.0;
   };
 
-  /// What was reported to drive a layer.
+  /// The last report on how a layer is driven.
   struct Reported {
     std::string digest;
     std::optional<PlaceOnLayer> held_from;
@@ -119,8 +119,8 @@ class ChunkCorrection {
   std::vector<std::pair<double, double>> amounts_;  ///< its times and amounts; on travels the last amount
   std::optional<std::size_t> late_;                 ///< layer that goes over to a map that came late
   std::string refusal_;
-  std::optional<std::size_t> handed_layer_;   ///< of which something was deposited by what was handed over
-  PlaceOnLayer handed_;                       ///< the last of it
+  std::optional<std::size_t> handed_layer_;   ///< layer of the last deposition that was handed over
+  PlaceOnLayer handed_;                       ///< place of that deposition
   std::map<std::size_t, Reported> reported_;  ///< by layer
   std::vector<DrivenLayer> layers_;
 };

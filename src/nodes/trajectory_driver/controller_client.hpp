@@ -23,29 +23,29 @@ struct ControllerReport {
   JointValues actual;
 };
 
-/// The controller that follows joint trajectories, as an action. Every chunk is a goal that takes the place
-/// of the one before from its first point on.
+/// The controller that follows joint trajectories, as an action. Every chunk is a goal that replaces the
+/// previous one from its first point on.
 class ControllerClient {
  public:
   using Listener = std::function<void(const ControllerReport&)>;
 
-  /// @param listener  called from ROS's threads, which hold locks of the client: it must not wait for
-  ///   anything that is held while a chunk is sent
+  /// @param listener  called from ROS's threads, which hold locks of the client: it must not wait for a lock
+  ///   that is held while a chunk is sent
   ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener);
 
   /// Full name of the action.
   const std::string& action() const { return action_; }
   /// @throws TimedOut if the controller is not there in time
   void requirePresent(double wait_s);
-  /// Forgets what became of earlier goals.
+  /// Forgets the outcome of earlier goals.
   void begin();
   /// @param begin  when the clock of the points was 0
   void send(const TrajectoryChunk& chunk, const ros::Time& begin);
-  /// The controller stops by itself.
+  /// Cancels the goals: the controller stops by itself.
   void cancel();
-  /// Why the controller gave up; nothing while it goes on, and once it is done.
+  /// Why the controller gave up; nothing while it runs, and once it is done.
   std::optional<std::string> failure() const;
-  /// Whether it has come to the end of what was sent last.
+  /// Whether the controller has reached the end of the last chunk.
   bool isDone() const;
 
  private:

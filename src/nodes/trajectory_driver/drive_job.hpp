@@ -23,14 +23,14 @@ struct DriveJob {
   double from_mm = 0.0;  ///< of its beads, that are left out with what comes before
 };
 
-/// @param found  called with what stands in the way, even if that is nothing; not called if no check is made
+/// @param found  called with the findings of the check, even if there are none; not called without a check
 /// @throws InvalidInput if the toolpath was planned for another machine; Unreachable naming the first
 ///   waypoint that cannot be run, or where something collides; Cancelled
 DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress);
 
-/// The way from where the machine stands to the start of a job; nothing if it stands there.
-/// @throws Unreachable if there is none that is clear, or the machine stands outside its limits; Cancelled
+/// The path from the machine's position to the start of a job; nothing if the machine is there.
+/// @throws Unreachable if there is no clear path, or the machine is outside its limits; Cancelled
 std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const KinematicModel& model,
                                    const DriverSettings& settings, Progress& progress);
 

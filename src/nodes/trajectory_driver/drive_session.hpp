@@ -26,20 +26,20 @@
 
 namespace lamina {
 
-/// Where a drive is.
+/// Progress of a drive.
 struct DriveStatus {
   PackmlState state = PackmlState::Starting;
   double time_s = 0.0;      ///< of the motion, pauses included; not before 0
-  double duration_s = 0.0;  ///< of it all, pauses so far included
+  double duration_s = 0.0;  ///< of the whole motion, pauses so far included
   WaypointIndex heading_for;
   WaypointIndex handed_over_for;                     ///< the same at the end of what is handed over
   Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
   double feed_share = 1.0;                           ///< of the planned speeds
-  double reached_share = 1.0;                        ///< of them that the limits allow on average
-  double flow_share = 1.0;                           ///< of the planned material
-  double power_share = 1.0;                          ///< of the planned power
-  double laid_mm = 0.0;   ///< of the beads, from the start of the toolpath; not before what is reported
-  double used_mm3 = 0.0;  ///< of material, in this motion
+  double reached_share = 1.0;  ///< share of the planned speeds that the limits allow on average
+  double flow_share = 1.0;     ///< of the planned material
+  double power_share = 1.0;    ///< of the planned power
+  double laid_mm = 0.0;        ///< length of the beads from the start of the toolpath, reported as laid
+  double used_mm3 = 0.0;       ///< volume of material, in this motion
   double tip_speed_mm_s = 0.0;
   Feeding feeding;
   JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
@@ -49,74 +49,74 @@ struct DriveStatus {
   Failure failure;
 };
 
-/// What is driven: a toolpath, or the way to its start.
+/// The motion that is driven: a toolpath, or the approach to its start.
 struct DriveMotion {
   const TimedPath& path;
   std::string toolpath_id;
-  PackmlState running = PackmlState::Execute;             ///< Starting on the way to the start
+  PackmlState running = PackmlState::Execute;             ///< Starting during the approach
   std::shared_ptr<ChunkCorrection> correction = nullptr;  ///< null if it is driven as planned
   ProcessUse process = ProcessUse::AsPlanned;
   double from_mm = 0.0;  ///< of its beads, that are left out with what comes before
 };
 
-/// What a drive is connected with.
+/// The connections of a drive.
 struct DriveLinks {
   ControllerClient& controller;
   ProcessPublisher& process;
   const PresentJoints& joints;
 };
 
-/// One motion on its way through a controller. Its calls may come from several threads.
+/// One motion that is run by a controller. Its calls may come from several threads.
 class DriveSession {
  public:
-  /// All that is referred to must outlive the session.
+  /// The objects referred to must outlive the session.
   DriveSession(const DriveMotion& motion, const KinematicModel& model, const DriverSettings& settings,
                const DriveLinks& links);
 
-  /// Hands over what is due. False once the motion has ended and everything is at rest. Gives the motion up
-  /// if ROS time has gone back by more than 0.05 s since the last call.
+  /// Hands over the chunks that are due. Returns false once the motion has ended and everything is at rest.
+  /// Gives the motion up if ROS time has gone back by more than 0.05 s since the last call.
   bool step(const ros::Time& present);
   void hear(const ControllerReport& report, const ros::Time& now);
 
-  /// A map for what is not handed over yet. In front of each layer but the first the motion rests until its
-  /// map has come, no longer than `loop.wait_s`.
+  /// Takes a map for chunks that are not handed over yet. In front of each layer except the first the motion
+  /// rests until the layer's map has come, no longer than `loop.wait_s`.
   /// @return why it is not used, in words; empty if it is
   std::string correct(const CorrectionMap& map, const std::string& digest);
-  /// What became of maps since the last call.
+  /// Outcomes of maps since the last call.
   std::vector<DrivenLayer> takeLayers();
 
-  /// The layers left planned anew, to be gone on with in front of the layer that is held for its map, which
-  /// must be the one that the plan begins with.
+  /// Takes a new plan of the remaining layers, to be followed from the layer that is held for its map; this
+  /// must be the plan's first layer.
   /// @return why it is not used, in words; empty if it is
   std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
-  /// That plan, while the machine rests where it begins, neither paused nor aborted. Null else.
+  /// The offered plan, while the machine rests at its beginning, neither paused nor aborted; otherwise null.
   lamina_msgs::ToolpathConstPtr plan(const ros::Time& now) const;
-  /// It cannot be driven: it is not given again.
+  /// States that the plan cannot be driven: it is not returned again.
   void refuse(const std::string& plan_id, const std::string& reason);
-  /// Whether the plan is gone over to now: the session is over, can no longer be paused, and the caller
-  /// drives the plan.
+  /// Whether the motion changes to the plan now: the session is then over, can no longer be paused, and the
+  /// caller drives the plan.
   bool leaveFor(const std::string& plan_id, const ros::Time& now);
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);
   std::optional<std::string> resume(const ros::Time& now);
-  /// The share of what is planned at which it goes on (`TrajectoryFeeder`); on the way to the start no more
-  /// than the planned speeds. It takes effect from when it is worked out; of orders of the feed the last
-  /// counts, also where an earlier one takes longer.
-  /// @return false if a later order of the feed has taken its place
+  /// Sets the share of the planned values at which the motion continues (`TrajectoryFeeder`); during the
+  /// approach at most the planned speeds. The share takes effect once it is computed; of several orders of
+  /// the feed the last one holds, even if an earlier one takes longer to compute.
+  /// @return false if a later order of the feed has replaced it
   /// @throws InvalidInput as `TrajectoryFeeder::speedChange` and `setShare`; or in a dry run, if it is no
-  /// feed
+  ///   feed
   bool setShare(OverrideKind kind, double share);
   /// Whether a job is in Execute or held, or goes from one to the other.
   bool isChangeable() const;
   bool isDry() const { return motion_.process == ProcessUse::Off; }
-  /// What the feed may be: of dry runs more than `feeder.feed_most`.
+  /// Limits of the feed; in dry runs it may be above `feeder.feed_most`.
   const TrajectoryFeederSettings& feeding() const { return feeding_; }
-  /// Brakes along the path, everything of the process off at once. Does nothing if it has ended or is
-  /// aborted.
+  /// Brakes along the path, and switches off the whole process at once. Does nothing if the motion has ended
+  /// or is aborted.
   void abort(const ros::Time& now, const Failure& why);
-  /// Ends in Aborted what has not ended, for the caller no longer follows it; the controller is to stop by
-  /// itself. Does nothing if a plan is gone over to.
+  /// Ends a motion that has not ended in Aborted, since the caller no longer follows it; the controller must
+  /// stop by itself. Does nothing if the motion has changed to a plan.
   void leave(const ros::Time& now, const Failure& why);
 
   DriveStatus status() const;
@@ -153,18 +153,18 @@ class DriveSession {
   mutable std::mutex mutex_;  ///< of what follows up to the reports
   TrajectoryFeeder feeder_;
   ros::Time begin_;                  ///< when the clock of the points is 0; zero before the first are sent
-  std::optional<ros::Time> run_at_;  ///< since what is planned is over
-  double fed_s_ = 0.0;               ///< end of what was sent
+  std::optional<ros::Time> run_at_;  ///< time at which the planned motion ended
+  double fed_s_ = 0.0;               ///< end of the chunks that were sent
   bool was_starved_ = false;
-  double laid_mm3_ = 0.0;        ///< of the beads as planned
-  std::optional<MapWait> wait_;  ///< none if it is driven as planned
-  bool is_left_ = false;         ///< for a plan
+  double laid_mm3_ = 0.0;        ///< volume of the laid beads as planned
+  std::optional<MapWait> wait_;  ///< nothing if the motion is driven as planned
+  bool is_left_ = false;         ///< whether the session was left for a plan
   std::optional<ros::Time> given_up_at_;
   ros::Time stepped_;  ///< the last step; zero before the first
   DriveStatus status_;
   std::uint64_t speed_orders_ = 0;  ///< given so far
 
-  // Reports come while the client of the controller is locked, which is locked too while a chunk is sent.
+  // Reports arrive while the controller's client is locked; the client is also locked while a chunk is sent.
   mutable std::mutex report_mutex_;
   Tracking tracking_;
   ReportWatch reports_;

@@ -18,27 +18,27 @@
 
 namespace lamina {
 
-/// How silence of a controller is detected: by when reports come, or by their stamps where its clock is not
-/// the wall's, as that of a simulated one on a slow host.
+/// How silence of a controller is detected: by the arrival of reports, or by their stamps if the controller's
+/// clock is not the wall clock, as with a simulated one on a slow host.
 enum class SilenceBy : std::uint8_t { Arrival, Stamps };
 
-/// What makes a driver give up.
+/// Limits beyond which a driver gives up.
 struct TrackingLimits {
-  double tip_mm = 5.0;     ///< of the tip from where it is to be; 0 for no limit
-  double silence_s = 1.0;  ///< without a report of the controller
+  double tip_mm = 5.0;     ///< distance of the tip from its planned position; 0 for no limit
+  double silence_s = 1.0;  ///< time without a report of the controller
   SilenceBy silence_by = SilenceBy::Arrival;
 };
 
-/// What the driver asks of process_io.
+/// What the driver requires of process_io.
 struct ProcessIoDemand {
   bool is_required = false;  ///< without it nothing is driven
-  double silence_s = 1.0;    ///< of it that holds the job
+  double silence_s = 1.0;    ///< silence of process_io that holds the job
 };
 
 struct DriverSettings {
   MachineSettings machine;
-  std::string owner;           ///< node whose orders alone are followed; empty for anybody
-  double owner_grace_s = 0.0;  ///< without the cell that ordered the job, until it is held; 0 for any time
+  std::string owner;           ///< the only node whose orders are followed; empty for any node
+  double owner_grace_s = 0.0;  ///< time without the ordering cell until the job is held; 0 for no limit
   std::string guard_socket;  ///< of the watch that stops the controller in this node's place; empty for none
   RunSettings run;
   TrajectoryFeederSettings feeder;
@@ -52,11 +52,11 @@ struct DriverSettings {
   JogSettings jog;
   bool is_corrected = false;      ///< by the maps on the topic correction
   bool follows_plans = false;     ///< goes on with layers planned anew
-  LoopSettings loop;              ///< of which `describeFeeding` and the wait for maps count
+  LoopSettings loop;              ///< settings of `describeFeeding` and of the wait for maps are used
   std::string calibration;        ///< file of results; empty for none
   double start_delay_s = 0.5;     ///< from the first chunk to its first point
   double lift_mm = 10.0;          ///< of the tool after an abort
-  double lift_mm_s = 10.0;        ///< speed of that
+  double lift_mm_s = 10.0;        ///< speed of that lift
   double controller_wait_s = 60;  ///< for the toolpath, the controller and the joints' positions to be there
 };
 

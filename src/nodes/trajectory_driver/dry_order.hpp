@@ -20,7 +20,7 @@ enum class DryPlace : std::uint8_t {
   Point,  ///< with the tip of a pointer on it
 };
 
-/// Whether the process of what is driven is on where the toolpath asks for it.
+/// Whether the process is on as the toolpath states.
 enum class ProcessUse : std::uint8_t { AsPlanned, Off };
 
 /// How toolpaths are run dry.
@@ -39,13 +39,12 @@ struct DryOrder {
   ProcessUse process() const { return place == DryPlace::None ? ProcessUse::AsPlanned : ProcessUse::Off; }
 };
 
-/// @throws InvalidInput if there is no such dry run, the speed is out of its bounds, or it is asked for of a
-/// job
-///   with its process
+/// @throws InvalidInput if there is no such dry run, the speed is out of its bounds, or a speed is stated for
+///   a job with its process
 DryOrder dryOrderOf(const lamina_msgs::DriveToolpathGoal& goal);
 
 /// The toolpath as it is driven.
-/// @throws InvalidInput if no pointer is known that is to be on it
+/// @throws InvalidInput if the pointer that is to be on the toolpath is not known
 Toolpath drivenAs(const DryOrder& order, Toolpath toolpath, const DrySettings& settings);
 
 }  // namespace lamina

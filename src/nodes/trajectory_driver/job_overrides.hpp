@@ -18,14 +18,14 @@
 namespace lamina {
 
 /// Changes of feed, flow and power while a job runs: the service change_job, and the topic speed_factor for
-/// the feed alone. What was set last holds for this job and those that follow.
+/// the feed alone. The last values hold for this job and later ones.
 class JobOverrides {
  public:
   /// @param session  the motion under way; null if there is none
   JobOverrides(ros::NodeHandle& node, const TrajectoryFeederSettings& settings, const ExecutorOwner& owner,
                std::function<std::shared_ptr<DriveSession>()> session);
 
-  /// What was set before, to a motion that begins.
+  /// Applies the values set before to a motion that begins.
   void applyTo(DriveSession& session) const;
 
  private:
@@ -40,7 +40,7 @@ class JobOverrides {
   ExecutorOwner owner_;
   std::function<std::shared_ptr<DriveSession>()> session_;
   mutable std::mutex mutex_;
-  std::map<OverrideKind, double> shares_;  ///< that are not as planned
+  std::map<OverrideKind, double> shares_;  ///< shares that are not 1
   ros::Subscriber speed_;
   ros::ServiceServer service_;
 };

@@ -25,12 +25,12 @@
 
 namespace lamina {
 
-/// What a jog is connected with.
+/// The connections of a jog.
 struct JogLinks {
   ControllerClient& controller;
   ProcessPublisher& process;
   const PresentJoints& joints;
-  /// How the part stands over the bed, of the toolpath published last.
+  /// Rotation of the part against the bed, for the toolpath published last.
   std::function<Eigen::Matrix3d()> bed_from_part;
   /// Called with where the machine rests, before it is moved from there.
   std::function<void(const JointValues&)> departs;
@@ -40,22 +40,23 @@ struct JogLinks {
 /// (docs/nodes/trajectory_driver.md).
 class JogDriver {
  public:
-  /// All that is referred to must outlive it.
+  /// The objects referred to must outlive it.
   JogDriver(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
             const ExecutorOwner& owner, JogLinks links);
 
-  /// Refuses orders until `allow`. Returns once what was under way is at rest.
+  /// Refuses orders until `allow`. Returns once a jog under way has come to rest.
   /// @param is_cancelled  whether the job that waits is no longer wanted
-  /// @throws Cancelled if so, DeviceError if the controller does not come to rest; it is told to stop, then
+  /// @throws Cancelled if so, DeviceError if the controller does not come to rest; the controller is then
+  ///   told to stop
   void block(const std::function<bool()>& is_cancelled);
   void allow();
-  /// Whether the controller may follow an order. Waits for nothing.
+  /// Whether the controller may be following an order. Does not wait.
   bool isUnderWay() const { return is_under_way_; }
 
  private:
   template <class Message>
   using Event = ros::MessageEvent<const Message>;
-  /// An order in the bed frame, from where the machine is when it takes effect.
+  /// Makes an order in the bed frame from the machine's position at the time when the order takes effect.
   using MakeOrder = std::function<JogOrder(const JointValues& position)>;
 
   void onTwist(const Event<geometry_msgs::TwistStamped>& event);

@@ -9,13 +9,13 @@ namespace lamina {
 
 inline constexpr double kJogPatience = 5.0;  ///< [s] that the controller may need to come to rest
 
-/// What is seen of a jog that a job waits for.
+/// Observed state of a jog for which a job waits.
 struct JogSight {
   bool is_at_rest = false;
   bool is_cancelled = false;  ///< whether the job is no longer wanted
 };
 
-/// Whether a job may begin behind a jog.
+/// Whether a job may begin after a jog.
 /// @param waited_s  [s] since the job was asked for
 /// @throws Cancelled at once if the job is no longer wanted
 /// @throws DeviceError if the controller does not come to rest within `kJogPatience`

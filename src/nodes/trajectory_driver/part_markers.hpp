@@ -11,13 +11,13 @@
 
 namespace lamina {
 
-/// Publishes a part as it grows, on part_markers: to everybody what changes, and to who subscribes later all
-/// of it so far. Its calls may come from several threads.
+/// Publishes a growing part on part_markers: changes to all subscribers, and to a later subscriber the part
+/// so far. Its calls may come from several threads.
 class PartMarkers {
  public:
   explicit PartMarkers(ros::NodeHandle& node);
 
-  /// Begins a part, whose toolpath must outlive it up to `complete` or `end`.
+  /// Begins a part; its toolpath must exist until `complete` or `end`.
   void begin(const Toolpath& toolpath);
   /// Shows the part as it is on the way to a waypoint; without effect if there is none.
   void growTo(const WaypointIndex& heading_for);
@@ -29,8 +29,7 @@ class PartMarkers {
  private:
   void welcome(const ros::SingleSubscriberPublisher& newcomer) const;
 
-  mutable std::mutex
-      mutex_;  ///< of what follows, and held while it is published: nobody gets it out of order
+  mutable std::mutex mutex_;  ///< guards what follows; also held during publication, to keep the order
   std::optional<GrowingPart> growing_;
   ros::Publisher publisher_;
 };

@@ -13,30 +13,30 @@
 
 namespace lamina {
 
-/// Where the driven joints of a kinematic model are, as `joint_states` reports. Joints may come in several
-/// messages.
+/// Positions of the driven joints of a kinematic model, from `joint_states`. Joints may be spread over
+/// several messages.
 class PresentJoints {
  public:
   PresentJoints(ros::NodeHandle& node, const KinematicModel& model);
 
-  /// Waits for them.
-  /// @param age_s   since a joint was heard of, at most
-  /// @throws TimedOut naming the joint that nothing is heard of; Cancelled if the node is asked to stop
+  /// Waits for recent values of all joints.
+  /// @param age_s  greatest age of a joint's last report
+  /// @throws TimedOut naming the joint that is not reported; Cancelled if the node is asked to stop
   JointValues fresh(double age_s, double wait_s) const;
-  /// Whether no joint has moved for so long, by reports that still come: of one that is no longer reported
-  /// nobody knows. True if none was ever heard of.
+  /// Whether no joint has moved for `time_s`, by reports that still arrive; the state of a joint that is no
+  /// longer reported is unknown. True if no joint was ever reported.
   bool areStillFor(double time_s) const;
 
  private:
   struct Heard {
     double value = 0.0;  ///< [mm, rad]
-    double mark = 0.0;   ///< where it was when it moved last
+    double mark = 0.0;   ///< position at the last motion
     ros::Time at;
     ros::Time moved_at;
   };
   void hear(const sensor_msgs::JointState& state);
-  /// A joint that was not heard of within that time of now; empty if there is none. What was heard of long
-  /// after now is of before ROS time went back.
+  /// A joint that was not reported within `age_s` of now; empty if there is none. Reports long after now are
+  /// from before ROS time went back.
   std::string missingWithin(double age_s, const ros::Time& now) const;
 
   const KinematicModel& model_;

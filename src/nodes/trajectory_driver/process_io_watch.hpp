@@ -12,18 +12,18 @@
 
 namespace lamina {
 
-/// Why the process cannot be run by what was heard of process_io last, in words; empty if it can, or is not
-/// asked for.
-/// @param heard  when; zero before the first word
+/// Why the process cannot be run, by the last message of process_io, in words; empty if it can, or is not
+/// required.
+/// @param heard  time of that message; zero before the first one
 std::string processFault(const ProcessIoDemand& demand, const lamina_msgs::ProcessReady& last,
                          const ros::Time& heard, const ros::Time& now);
 
-/// Hears whether process_io can run the process.
+/// Watches whether process_io can run the process.
 class ProcessIoWatch {
  public:
   ProcessIoWatch(ros::NodeHandle& node, const ProcessIoDemand& demand);
 
-  /// Why the process cannot be run, in words; empty if it can, or is not asked for.
+  /// Why the process cannot be run, in words; empty if it can, or is not required.
   std::string fault(const ros::Time& now) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Sends what the process does along with the chunks of a trajectory, on process_trajectory.
+/// Sends the process along with the chunks of a trajectory, on process_trajectory.
 class ProcessPublisher {
  public:
   explicit ProcessPublisher(ros::NodeHandle& node);
@@ -21,7 +21,7 @@ class ProcessPublisher {
   /// @param process  off: everything stays safe, whatever the points say
   void send(const TrajectoryChunk& chunk, const ros::Time& begin, const std::string& toolpath_id,
             ProcessUse process);
-  /// Everything off, from this instant on.
+  /// Sends that everything is off from this instant on.
   void makeSafe(const ros::Time& now);
 
  private:

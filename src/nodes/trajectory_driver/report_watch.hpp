@@ -11,21 +11,22 @@
 
 namespace lamina {
 
-/// Notices when a controller falls silent.
+/// Detects silence of a controller.
 ///
-/// By arrival, the time since the last report counts while somebody looks: a driver that did not run itself
-/// cannot know that the controller was silent. By stamps, the gap between the stamps of two reports counts,
-/// and the time since the last one came only against the limit of a lost connection.
+/// By arrival, the time since the last report counts, but only between frequent calls of `look`: a driver
+/// that did not run itself cannot know that the controller was silent. By stamps, the gap between the stamps
+/// of two reports counts, and the time since the last arrival is compared only with the limit of a lost
+/// connection.
 class ReportWatch {
  public:
   /// @param begin  from when on reports are expected
   ReportWatch(const TrackingLimits& limits, double connection_s, const ros::Time& begin);
 
-  /// A report with that stamp has come.
+  /// States that a report with that stamp has arrived.
   void hear(const ros::Time& stamp, const ros::Time& now);
-  /// Reports are expected from now on: there were none to come before.
+  /// States that reports are expected from now on, and were not before.
   void restart(const ros::Time& now);
-  /// Somebody looks; to be called all the time.
+  /// Checks for silence; to be called continually.
   /// @return what is wrong; nothing while the controller is not silent
   std::optional<std::string> look(const ros::Time& now);
 
@@ -34,7 +35,7 @@ class ReportWatch {
   double connection_s_;
   ros::Time looked_at_;
   ros::Time stamp_;         ///< of the last report; zero before the first
-  double unheard_s_ = 0.0;  ///< since the last report came, as far as somebody looked
+  double unheard_s_ = 0.0;  ///< time since the last report that was covered by calls of `look`
   double gap_s_ = 0.0;      ///< greatest, between two stamps
 };
 

@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// How far a kinematic model was from where it was to be, report by report.
+/// Deviations of a kinematic model from its planned positions, report by report.
 class Tracking {
  public:
   explicit Tracking(const KinematicModel& model)
       : model_(model), joints_(JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()))) {}
 
-  /// A report of the controller.
+  /// Adds a report of the controller.
   void add(const JointValues& wanted, const JointValues& actual);
 
   const JointValues& joints() const { return joints_; }  ///< actual less wanted, of the last report; 0 before
@@ -24,7 +24,8 @@ class Tracking {
   double worstTip() const { return worst_tip_mm_; }      ///< [mm]
   double rmsTip() const;                                 ///< [mm]
 
-  /// Why the last report ends a job: the tip is farther than `most_mm` from where it is to be. 0 is no limit.
+  /// Why the last report ends a job: the tip is farther than `most_mm` from its planned position. 0 is no
+  /// limit.
   std::optional<std::string> deviation(double most_mm) const;
 
  private:
@@ -38,7 +39,7 @@ class Tracking {
 
 /// How well a controller was fed.
 struct Feeding {
-  std::size_t starvations = 0;  ///< times that it had nothing left to run before the end
+  std::size_t starvations = 0;  ///< number of times that it had nothing left to run before the end
   double least_queued_s = 0.0;  ///< of motion, while there was more to send
 };
 

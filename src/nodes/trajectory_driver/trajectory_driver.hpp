@@ -44,8 +44,8 @@ class TrajectoryDriver {
   /// @throws InvalidConfig if the machine is unknown
   TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings);
 
-  /// Returns once nothing moves any more and that has been reported; a job under way is aborted by
-  /// `isStopRequested`.
+  /// Returns once the machine is at rest and this has been reported; `isStopRequested` aborts a job under
+  /// way.
   void awaitRest() const;
 
  private:
@@ -53,17 +53,17 @@ class TrajectoryDriver {
   using Server = actionlib::SimpleActionServer<lamina_msgs::DriveToolpathAction>;
 
   void onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal);
-  /// What is driven, and the way there.
+  /// A job, and the approach to it.
   struct PreparedJob {
     DriveJob job;
-    std::optional<Approach> way;  ///< none if the machine stands there
+    std::optional<Approach> way;  ///< nothing if the machine is at the start
   };
   /// How a motion ended.
   struct Driven {
     DriveStatus status;
-    std::optional<PreparedJob> next;  ///< a plan to go on with from here
+    std::optional<PreparedJob> next;  ///< plan with which to continue
   };
-  /// A plan that is made ready.
+  /// A plan that is being prepared.
   struct PlanInWork {
     std::string id;
     std::unique_ptr<WorkBeside<PreparedJob>> result;
@@ -75,7 +75,7 @@ class TrajectoryDriver {
   /// Whether a job that begins waits for the map of its first layer.
   enum class MapOfFirstLayer { AsItIs, Awaited };
 
-  /// Aborted, preempted, or the node ends.
+  /// Whether the goal was aborted or preempted, or the node ends.
   bool isCancelled() const;
   DriveStatus drive(const lamina_msgs::DriveToolpathGoal& goal);
   bool isDry() const { return dry_.process() == ProcessUse::Off; }
@@ -98,7 +98,7 @@ class TrajectoryDriver {
   std::optional<HeardMap> lastMap() const;
   void correctByLastMap(DriveSession& session, const std::string& toolpath_id) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
-  /// On applied_correction.
+  /// Reports on applied_correction.
   void tell(const std::vector<DrivenLayer>& layers);
   void onPlan(const lamina_msgs::ToolpathConstPtr& message);
   void show(const DriveStatus& status);
@@ -124,7 +124,7 @@ class TrajectoryDriver {
   ros::Subscriber correction_;
   ros::Subscriber plan_;
   ros::Publisher
-      toolpath_publisher_;  ///< of plans that are gone on with, and of files; advertised with the first
+      toolpath_publisher_;  ///< publishes followed plans, and toolpaths of files; advertised with the first
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
@@ -139,17 +139,17 @@ class TrajectoryDriver {
   mutable std::mutex mutex_;  ///< of what follows up to the controller
   std::shared_ptr<DriveSession> session_;
   lamina_msgs::ToolpathConstPtr toolpath_;
-  std::optional<HeardMap> map_;  ///< that came last
+  std::optional<HeardMap> map_;  ///< the last map received
   DriveStatus status_;
 
   std::atomic<bool> is_driving_{false};
   std::atomic<bool> is_abort_requested_{false};  ///< of the goal
-  // Of the goal, and of the thread that drives.
+  // State of the goal, used by the thread that drives.
   std::string job_;
   std::optional<DrivenFile> file_;  ///< none if a published toolpath is driven
   double used_mm3_ = 0.0;           ///< of material, before the motion under way
   bool is_ordered_by_cell_ = false;
-  bool is_hold_due_ = false;  ///< the cell is gone, and the job cannot be held yet
+  bool is_hold_due_ = false;  ///< whether the cell is lost and the job cannot be held yet
   DryOrder dry_;              ///< of the goal under way
   JobOverrides overrides_;
   ControllerClient controller_;

@@ -12,11 +12,12 @@
 
 namespace lamina {
 
-/// Long work on a thread of its own, while its owner goes on. Given up, and waited for, when this ends.
+/// Long work in a thread of its own, while its owner continues. The destructor cancels the work and waits for
+/// its end.
 template <class Result>
 class WorkBeside {
  public:
-  /// @param work  begins at once; is to look at its progress often, which is cancelled once it is given up
+  /// @param work  begins at once; must check its progress often, which is cancelled when the work is given up
   explicit WorkBeside(std::function<Result(Progress&)> work)
       : result_(std::async(std::launch::async, [this, work = std::move(work)] { return work(progress_); })) {}
   ~WorkBeside() { giveUp(); }
@@ -24,7 +25,7 @@ class WorkBeside {
   WorkBeside& operator=(const WorkBeside&) = delete;
 
   void giveUp() { progress_.is_given_up = true; }
-  /// Whether the result is there, or why there is none.
+  /// Whether the work has ended, with a result or an exception.
   bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
   /// Waits for the result; once.
   /// @throws what the work threw

@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Warning that robot_description is of another robot than the machine, with the names of both; empty if it
-/// is not.
+/// Warning that robot_description describes another robot than the machine, with the names of both; empty if
+/// it describes the machine.
 /// @param present  URDF in robot_description
 /// @param own      URDF of the machine
 std::string descriptionWarning(const std::string& present, const std::string& own);

@@ -29,26 +29,27 @@ class Playback {
   virtual ~Playback() = default;
 
   virtual const ToolpathTime& time() const = 0;
-  /// Of all joints that move [m, rad]; before 0 at the start, after the end at the end.
+  /// Positions of all moving joints at a time [m, rad]; those of the start before 0, those of the end after
+  /// the end.
   virtual JointPositions at(double time_s) = 0;
-  /// When the motion that runs at the time asked for last ends, which is at a waypoint; infinite after the
+  /// Time at which the motion that runs at the last requested time ends, at a waypoint; infinite after the
   /// end, and before `at` is called.
   virtual double nextWaypointTime() const = 0;
-  /// The driven joints over a span of time, from its begin, at even steps and at its end. Header without
-  /// stamp.
+  /// The driven joints over a span of time: at even steps from its beginning, and at its end. The header has
+  /// no stamp.
   virtual trajectory_msgs::JointTrajectory trajectory(const TimeSpan& span, double step_s) = 0;
   /// The nozzle over a span of time in the same way, from the same motion.
   virtual std::vector<NozzleState> nozzle(const TimeSpan& span, double step_s) = 0;
 };
 
-/// Of a machine of linear axes: planned only as far ahead as braking needs.
+/// Playback on a machine with linear axes: planned only as far ahead as braking needs.
 /// @param placed  must outlive the playback
 std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const CartesianMachine& machine,
                                          const MotionLimits& limits);
 
-/// Of a machine or robot of any joints.
+/// Playback on a machine or robot with any joints.
 /// @param model       must outlive the playback
-/// @param transforms  of the same; must outlive the playback
+/// @param transforms of that model; must outlive the playback
 std::unique_ptr<Playback> jointPlayback(TimedRun timed, const KinematicModel& model,
                                         const MachineTransforms& transforms);
 

@@ -19,7 +19,7 @@
 
 namespace lamina {
 
-/// Shows where the machine is: the toolpath played in time, or what the machine itself reports. Its topics,
+/// Shows the machine's position: the toolpath played in time, or the machine's own reports. Its topics,
 /// transforms, services and parameters: docs/nodes/trajectory_publisher.md.
 class TrajectoryPublisher {
  public:
@@ -35,7 +35,7 @@ class TrajectoryPublisher {
     std::unique_ptr<Playback> playback;
     double at_s = 0.0;
     std::size_t announced_layers = 0;
-    bool has_begun = false;  ///< the first waypoint was published
+    bool has_begun = false;  ///< whether the first waypoint was published
   };
 
   void advertise(ros::NodeHandle& node);
@@ -57,7 +57,7 @@ class TrajectoryPublisher {
 
   PublisherSettings settings_;
   std::unique_ptr<const KinematicModel> model_;
-  std::optional<CartesianMachine> linear_;  ///< the same, if all its axes are linear
+  std::optional<CartesianMachine> linear_;  ///< the machine, if all its axes are linear
   TfBroadcast tf_;
   ros::Publisher joint_states_;
   ros::Publisher nozzle_path_;

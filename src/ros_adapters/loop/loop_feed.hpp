@@ -33,18 +33,18 @@ struct FeedCounts {
   std::string last_without_offset;  ///< frame of the last cloud without a time offset
 };
 
-/// What was counted from one time to another, with the clouds that waited then among those received: the sum
-/// holds for these numbers too.
+/// Counts from one time to another. Clouds that waited at the first time count as received: the sum holds for
+/// these numbers too.
 FeedCounts since(const FeedCounts& then, const FeedCounts& now);
 
-/// Passes one print after the other to the loop, from messages in the order in which they arrive, in a node
-/// or from a bag. Both use this class, so that both give exactly the same maps. tf may be behind the clouds
-/// by any time, and ahead of them by 30 s. If ROS time goes back, the print continues in the new time.
+/// Passes one print after the other to the loop, from messages in the order of arrival. A node and a bag
+/// reader both use this class and give exactly the same maps. tf may be behind the clouds by any time, and
+/// ahead of them by 30 s. If ROS time goes back, the print continues in the new time.
 ///
-/// A calibrated place of the sensor and its time offset hold for the clouds of frame `names::kSensorFrame`,
-/// or as long as none came, for those of the frame that came first. tf gives the place of all others, whose
-/// time offsets are stated by frame (`sensor.other_time_offsets_s`); without one a cloud is left out, as it
-/// would be taken for one of another place.
+/// The calibrated pose of the sensor and its time offset hold for clouds of frame `names::kSensorFrame` or,
+/// until one arrives, for clouds of the first frame. tf gives the poses of all other sensors; their time
+/// offsets are stated by frame (`sensor.other_time_offsets_s`). Clouds without a stated offset are left out,
+/// since they would be placed wrongly.
 class LoopFeed {
  public:
   /// @param queue_mb  memory for clouds that wait for tf [1e6 bytes]
@@ -64,16 +64,15 @@ class LoopFeed {
   /// with it. Of two successive clouds of a sensor the earlier stamp counts. Without effect for clouds that
   /// are left out for their frame, stamp or unknown time offset.
   void hear(const std_msgs::Header& header);
-  /// Adds a machine's report on how it applied a map of the current print, or a plan of it.
+  /// Adds a machine's report on how it applied a map or a plan of the current print.
   /// @return whether the report belongs to the current print
   bool add(const lamina_msgs::AppliedCorrection& applied);
 
-  /// Requests something of the current print, from its next layer on, and of those that follow.
+  /// Makes a request for the current print, from its next layer on, and for later prints.
   /// @throws Rejected with the reason if the loop is blocked
   void request(LoopRequest request);
 
-  /// Sets new calibration data of the sensor for the current print and those that follow; requests remain in
-  /// force.
+  /// Sets new calibration data of the sensor for the current print and later ones; requests remain in force.
   void recalibrate(const LoopRunSettings& settings);
 
   /// Passes on the clouds for which tf is complete.
@@ -93,7 +92,7 @@ class LoopFeed {
  private:
   using Cloud = sensor_msgs::PointCloud2ConstPtr;
 
-  /// Times at which clouds of a sensor that arrived were taken.
+  /// Times at which the arrived clouds of a sensor were taken.
   struct HeardSensor {
     std::optional<ros::Time> waiting;  ///< to be reported once the transforms are passed on
     std::optional<ros::Time> last;     ///< of the last cloud
@@ -115,7 +114,7 @@ class LoopFeed {
   std::multimap<ros::Time, Cloud> waiting_;  ///< by time stamp
   CalibratedFrame calibrated_frame_;
   std::map<std::string, double> other_offsets_s_;  ///< of further sensors, by frame
-  std::map<std::string, std::size_t> waiting_of_;  ///< number of those, by frame
+  std::map<std::string, std::size_t> waiting_of_;  ///< number of waiting clouds, by frame
   double waiting_bytes_ = 0.0;
   std::map<std::string, HeardSensor> heard_;  ///< during the print, by frame
   std::uint64_t restarts_ = 0;                ///< number of restarts of the sequence that the loop knows of

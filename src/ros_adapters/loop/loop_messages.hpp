@@ -29,7 +29,7 @@ sensor_msgs::PointCloud2 toCloudMessage(const LayerOutcome& layer, const Eigen::
 sensor_msgs::PointCloud2 gainCloudMessage(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
 
 /// The request of a service call.
-/// @throws InvalidInput if it is none of those in SetLoop.srv
+/// @throws InvalidInput if it is no request of SetLoop.srv
 LoopRequest loopRequestOf(const lamina_msgs::SetLoop::Request& request);
 
 }  // namespace lamina

@@ -10,17 +10,17 @@
 
 namespace lamina {
 
-/// Tells by the states of a machine whether it begins another part of a toolpath that is not announced again,
-/// as executors print one as often as they are asked to, or goes on with a job that was cut off.
+/// Decides from the states of a machine whether it begins another part of the same toolpath or resumes an
+/// interrupted job. Executors may print a toolpath several times, and it is not announced again.
 class PartWatch {
  public:
-  /// States that a part begins: how the one before ended says nothing of it.
+  /// States that a part begins, and forgets the end of the previous part.
   void begin() { *this = {}; }
 
-  /// Takes a state of the machine. A job that begins after one that was complete is another part. After one
-  /// that was cut off it is if it is at a layer below: below the one that the machine stated at the end, or
-  /// by two at least, since a machine states its layers late.
-  /// @param layer  at which the nozzle was seen last
+  /// Takes a state of the machine. A job that begins after a complete job is another part. After an
+  /// interrupted job it is another part if it begins at a lower layer: below the layer that the machine
+  /// stated at the end, or at least two below, since a machine states its layers late.
+  /// @param layer  layer at which the nozzle was last seen
   /// @return whether another part begins with it
   bool see(const lamina_msgs::MachineState& machine, std::size_t layer);
 
@@ -33,12 +33,12 @@ class PartWatch {
     std::int32_t layer = 0;
   };
   bool has_run_ = false;
-  std::optional<End> end_;  ///< of the job that ended last; none once one goes on
+  std::optional<End> end_;  ///< end of the last job; nothing once a job resumes
 };
 
-/// Whether a job is run by that state.
+/// Whether a job is under way in that state.
 bool isUnderWay(const lamina_msgs::MachineState& machine);
-/// Whether a job has ended by that state.
+/// Whether that state is the end of a job.
 bool isEnd(const lamina_msgs::MachineState& machine);
 
 }  // namespace lamina

@@ -19,7 +19,7 @@ namespace lamina {
 
 /// Records the motion of a machine and what its sensor measures, from messages of a node or of a bag: poses
 /// of the nozzle at each time stamp of tf, and profiles as clouds in their own frame. The memory for tf is
-/// bounded; that for the recording is not.
+/// bounded; the memory for the recording is not.
 class RecordingGatherer {
  public:
   /// @param bed, nozzle  names of the frames

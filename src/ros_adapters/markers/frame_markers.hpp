@@ -13,10 +13,10 @@
 
 namespace lamina {
 
-/// Markers of the nozzle's orientation: a frame at the first waypoint of each depositing path, and then about
-/// every so many millimetres. x is blue, y red, and z, the tool axis, green, in namespaces `nozzle_x`,
-/// `nozzle_y` and `nozzle_z`; the colours are those of [Flores2018, figure 43]. The first marker deletes
-/// those of an earlier toolpath.
+/// Markers of the nozzle's orientation: a frame at the first waypoint of each depositing path, and then at
+/// about the interval of the settings. x is blue, y red, and z, the tool axis, green, in namespaces
+/// `nozzle_x`, `nozzle_y` and `nozzle_z`; the colours are those of [Flores2018, figure 43]. The first marker
+/// deletes those of an earlier toolpath.
 ///
 /// @param frame  frame of the markers: that of the part
 visualization_msgs::MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings,

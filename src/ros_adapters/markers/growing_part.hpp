@@ -12,16 +12,16 @@
 namespace lamina {
 
 /// Markers of a part while it is deposited: lines as wide as the beads, coloured by role. There is one marker
-/// for each layer and role in namespace `deposited`, so that only changed ones need to be sent. The toolpath
+/// for each layer and role in namespace `deposited`, and only changed markers need to be sent. The toolpath
 /// must outlive the object.
 class GrowingPart {
  public:
   /// @param frame  frame of the markers: that of the part
   GrowingPart(const Toolpath& toolpath, std::string frame);
 
-  /// The markers that change until all motions before the one to this waypoint are done. If the waypoint is
-  /// an earlier one than before, everything begins anew. The first markers ever, and those of a new
-  /// beginning, are preceded by one that deletes what was shown.
+  /// The markers that change until all motions before the one to this waypoint are done. If the waypoint
+  /// precedes that of the last call, everything begins anew. The first markers, and those of a new beginning,
+  /// are preceded by a marker that deletes what was shown.
   visualization_msgs::MarkerArray upTo(const WaypointIndex& heading_for);
   /// All markers with everything deposited; the first deletes what was shown.
   visualization_msgs::MarkerArray whole();

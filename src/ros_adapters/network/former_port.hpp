@@ -7,16 +7,16 @@
 
 namespace lamina {
 
-// A node that is started again after it was killed must not get the port of the one before. To roscpp a node
-// is its port: who was connected with the killed one would take the new one for it, and never connect with
-// it.
+// A node that is restarted after it was killed must not get the port of its predecessor. roscpp identifies a
+// node by its port: nodes that were connected to the predecessor would mistake the new node for it, and never
+// connect.
 
 /// The port by which the master knows the node of this name; nothing if it knows none, or does not answer. To
-/// be called after ros::init. Before the node joins ROS it is the port of the one before.
+/// be called after ros::init. Before the node joins ROS it is the predecessor's port.
 std::optional<std::uint16_t> formerPort();
 
-/// Keeps a TCP port of this host from being given to whoever asks for any port, as long as it lives. A port
-/// that is in use is left as it is.
+/// Reserves a TCP port of this host during the object's lifetime: the system does not assign it to programs
+/// that request any port. A port in use is left unchanged.
 class HeldPort {
  public:
   explicit HeldPort(std::uint16_t port);

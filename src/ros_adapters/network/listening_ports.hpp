@@ -11,7 +11,7 @@ namespace lamina {
 /// A TCP port on which a program of this host waits for connections.
 struct ListeningPort {
   std::uint16_t port = 0;
-  /// Whether it is bound to 127.0.0.0/8 or ::1, so that no other host can reach it.
+  /// Whether it is bound to 127.0.0.0/8 or ::1: no other host can reach it.
   bool is_on_loopback = false;
   std::uint64_t inode = 0;  ///< inode of its socket, as in /proc/self/fd
 };

@@ -20,9 +20,8 @@ void stayOnLoopback(int argc, char** argv);
 /// @return ports that stay open because their socket accepts no filter
 std::vector<std::uint16_t> closeToOtherHosts();
 
-/// Closes the ports of a node that has joined ROS, if it announces the loopback interface, and logs what is
-/// open
-/// (`exposureWarnings`).
+/// Closes the ports of a node that has joined ROS, if it announces the loopback interface, and logs the open
+/// ports (`exposureWarnings`).
 void guardPorts();
 
 }  // namespace lamina

@@ -14,10 +14,9 @@
 
 namespace lamina {
 
-/// A gate before an action server, which lets only messages of the server's owner through. A server of
-/// actionlib does not know who has sent a goal, and ends the current job for any new goal. Goals of other
-/// nodes are rejected with the reason; their cancel requests are ignored, with a warning. Without an owner
-/// there is no gate.
+/// A gate before an action server that passes only messages of the server's owner. A server of actionlib does
+/// not know who has sent a goal, and ends the current job for any new goal. Goals of other nodes are rejected
+/// with the reason; their cancel requests are ignored, with a warning. Without an owner there is no gate.
 ///
 /// The server itself runs under the name `inner(name, owner)`.
 template <class Action>

@@ -11,19 +11,20 @@
 
 namespace lamina {
 
-/// Whether the cell that has ordered the job is still there: its status comes twice a second.
+/// Watches whether the cell that ordered the job is still present. The cell publishes its status twice a
+/// second.
 class OwnerWatch {
  public:
-  /// @param grace_s  [s] without a word of it, after which it is gone; 0 for never
+  /// @param grace_s  [s] without a status, after which the cell counts as lost; 0 for never
   OwnerWatch(ros::NodeHandle node, double grace_s);
 
-  /// A job of the cell begins: from now on it is listened for.
+  /// States that a job of the cell begins: the watch begins.
   void expect();
 
-  /// True once for each time that it is gone.
+  /// Whether the cell was lost; true once for each loss.
   bool takeLoss();
 
-  /// Whether it is gone now.
+  /// Whether the cell is lost now.
   bool isLost() const;
 
  private:
@@ -31,7 +32,7 @@ class OwnerWatch {
 
   SteadyClock clock_;
   double grace_s_;
-  mutable std::mutex mutex_;  ///< of everything below
+  mutable std::mutex mutex_;  ///< guards everything below
   double heard_s_ = 0.0;
   bool is_told_ = false;
   ros::Subscriber status_;

@@ -9,24 +9,23 @@
 
 namespace lamina {
 
-/// The frame of the sensor that a calibration is that of, among the frames of all clouds:
-/// `names::kSensorFrame`, or as long as no cloud of that came, the frame that came first. Frames count with a
-/// leading slash as without.
+/// The frame of the calibrated sensor among the frames of all clouds: `names::kSensorFrame` or, until a cloud
+/// of this frame arrives, the frame that arrived first. A leading slash of a frame is ignored.
 class CalibratedFrame {
  public:
-  /// Adds the frame of a cloud that has come.
-  /// @return whether the calibration is that of its sensor
+  /// Adds the frame of an arrived cloud.
+  /// @return whether the calibration belongs to this frame's sensor
   bool see(const std::string& frame) {
     const std::string bare = bareFrame(frame);
     if (frame_.empty() || bare == names::kSensorFrame) frame_ = bare;
     return bare == frame_;
   }
 
-  /// Whether the calibration is that of the sensor with that frame, by the frames so far.
+  /// Whether the calibration belongs to the sensor of that frame, judged by the frames so far.
   bool is(const std::string& frame) const { return !frame_.empty() && bareFrame(frame) == frame_; }
 
  private:
-  std::string frame_;  ///< empty before a cloud
+  std::string frame_;  ///< empty before the first cloud
 };
 
 }  // namespace lamina

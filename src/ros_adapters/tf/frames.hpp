@@ -3,7 +3,7 @@
 #pragma once
 
 /// Frames on tf, in the namespace in which the nodes run. `machine_transforms` computes the transforms
-/// between them, and `trajectory_publisher` publishes these.
+/// between them, and `trajectory_publisher` publishes the transforms.
 namespace lamina::names {
 
 inline constexpr char kWorldFrame[] = "world";

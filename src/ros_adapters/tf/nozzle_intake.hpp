@@ -12,9 +12,9 @@
 
 namespace lamina {
 
-/// Receives every pose of the nozzle over the bed that tf reports, in the order of time stamps. Looking at tf
-/// from time to time would miss corners of a machine in accelerated time. Between them come poses at the time
-/// stamps of other transforms.
+/// Receives every pose of the nozzle over the bed that tf reports, in the order of time stamps. Polling tf
+/// would miss corners of a machine in accelerated time. Poses at the time stamps of other transforms are
+/// included.
 class NozzleIntake {
  public:
   /// @param bed_from_nozzle  translation [mm]

@@ -16,8 +16,8 @@ namespace lamina {
 /// Sends the frames of a machine and of the part on its bed to tf.
 class TfBroadcast {
  public:
-  /// Whether a listener that comes later gets the last positions of the links that move. A machine at rest
-  /// reports nothing more; a toolpath that is played is repeated in time.
+  /// Whether a later listener receives the last positions of the moving links. A machine at rest reports
+  /// nothing more; a toolpath that is played is repeated in time.
   enum class LastPositions { Dropped, Kept };
 
   /// Sends the links that never move, and the frame `world` as the parent of the machine's root.

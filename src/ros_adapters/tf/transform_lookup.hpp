@@ -18,7 +18,7 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Transform& transform);
 /// @param transform  translation [mm]
 geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
 
-/// A frame's name for tf2, which knows none with the leading slash that drivers from before it write.
+/// A frame's name for tf2, without the leading slash that drivers from before tf2 write.
 std::string bareFrame(const std::string& frame);
 
 /// target_from_source at a time [mm]; nothing if tf does not know it.

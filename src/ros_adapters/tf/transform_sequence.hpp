@@ -24,10 +24,9 @@ struct StampedNozzle {
   Eigen::Isometry3d bed_from_nozzle;  ///< translation [mm]
 };
 
-/// Stores transforms in the order of their time stamps, and passes them to a tf buffer only as far as they
-/// are asked for. So it does not matter how far requests lag behind tf, whereas a tf buffer forgets
-/// transforms older than its memory, and searches longer the further back it must look. Transforms may be
-/// added from another thread.
+/// Stores transforms in the order of their time stamps, and passes them to a tf buffer only as far as
+/// requested. Requests may lag behind tf by any time, whereas a tf buffer forgets transforms older than its
+/// memory, and searches longer for older ones. Transforms may be added from another thread.
 class TransformSequence {
  public:
   /// @param most_waiting  greatest number of transforms stored; beyond this, the oldest are passed to the
@@ -35,13 +34,13 @@ class TransformSequence {
   ///   asked for later
   explicit TransformSequence(std::size_t most_waiting = 500000);
 
-  /// Adds a moving transform. One that is older than those the buffer has is passed to it at the next call.
-  /// If ROS time has gone back since the last transform, because a clock was set or a simulation was reset,
-  /// everything begins anew; transforms from before that arrive late are dropped.
+  /// Adds a moving transform. A transform older than those in the buffer is passed to the buffer at the next
+  /// call. If ROS time has gone back since the last transform, because a clock was set or a simulation was
+  /// reset, everything begins anew; late transforms from before are dropped.
   ///
-  /// A transform more than 30 s ahead of the last one of its child frame is kept back until another of that
-  /// frame follows it. If that one is not ahead, the stamp was garbled, and the transform is dropped: the
-  /// buffer would have forgotten the frame's other transforms, and refused all that follow.
+  /// A transform more than 30 s ahead of the last one of its child frame is kept back until the next
+  /// transform of that frame. If the next one is not ahead, the stamp was garbled, and the transform kept
+  /// back is dropped: the buffer would have forgotten the frame's other transforms, and refused later ones.
   void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   /// Adds a transform that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
@@ -49,9 +48,9 @@ class TransformSequence {
   /// Whether any transform names the frame.
   bool knows(const std::string& frame) const;
 
-  /// Passes on as many transforms as are needed, if they are there, to know the pose of a frame over the bed
-  /// at a time stamp.
-  /// @return whether it is known now
+  /// Passes on the available transforms that are needed to know the pose of a frame over the bed at a time
+  /// stamp.
+  /// @return whether the pose is known now
   Readiness passTo(const std::string& frame, const ros::Time& stamp);
   /// Passes the transforms of the next time stamp to the buffer; returns false if there are none.
   bool passNext();
@@ -77,7 +76,7 @@ class TransformSequence {
     std::string authority;
   };
 
-  /// What the stamps of a child frame have come to.
+  /// State of the stamps of a child frame.
   struct FrameClock {
     ros::Time latest;              ///< stamp; zero before the first
     std::optional<Waiting> ahead;  ///< kept back, more than 30 s ahead of `latest`

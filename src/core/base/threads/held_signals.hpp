@@ -6,21 +6,21 @@
 
 namespace lamina {
 
-/// SIGINT, SIGTERM and SIGHUP, held back from the calling thread while this lives, so that none gets lost
-/// between two looks. Made and ended by the same thread. Without a handler such a signal ends the process as
-/// ever, at the next look.
+/// SIGINT, SIGTERM and SIGHUP, held back from the calling thread during the object's lifetime: none is lost
+/// between two calls of `haveCome`. Created and destroyed by the same thread. A signal without a handler ends
+/// the process as usual, at the next call.
 class HeldSignals {
  public:
   HeldSignals();
-  /// Signals that came since the last look reach their handlers.
+  /// Signals that came since the last call reach their handlers.
   ~HeldSignals();
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
 
-  /// Whether a signal has come since the last look; its handler has then run.
+  /// Whether a signal has come since the last call; its handler has then run.
   bool haveCome() const;
 
-  /// The signals that the thread held back before: those to be held back while something is waited for.
+  /// Signals that the thread held back before: the mask to be used during a wait.
   const sigset_t& before() const { return before_; }
 
  private:

@@ -9,17 +9,17 @@
 
 namespace lamina {
 
-/// The progress of one stage whose parts run at the same time. What is reported never falls.
+/// The progress of one stage whose parts run at the same time. The reported fraction never falls.
 class JointProgress {
  public:
   /// @param whole     receives the reports; must outlive this
-  /// @param stage     under which they are reported, whatever the parts call it
+  /// @param stage     name under which progress is reported, whatever the parts call it
   JointProgress(Progress& whole, std::string stage);
 
-  /// The progress of one part, to be used by one thread; it must not outlive the joint one.
+  /// The progress of one part, to be used by one thread; it must not outlive the joint progress.
   class Part final : public Progress {
    public:
-    /// @param share  of the stage, 0 to 1; those of all parts sum up to 1
+    /// @param share  share of the stage, 0 to 1; the shares of all parts sum to 1
     Part(JointProgress& joint, double share) : joint_(&joint), share_(share) {}
     void report(const std::string& stage, double fraction) override;
     bool isCancelled() const override { return joint_->whole_->isCancelled(); }

@@ -12,15 +12,15 @@ namespace lamina {
 
 bool isAllZero(const std::vector<double>& values);
 
-/// Corrections for the machine, and what a layer grows by with them.
+/// Corrections for the machine, and the growth of the layer with them.
 struct RealisedCorrection {
   CellCorrections told;
   LayerCorrection laid;
 };
 
-/// Corrections for the machine by which a layer grows as the loop has decided. If a speed exponent is set,
-/// part of an amount is realised by speed; where that is limited, the layer is laid with less than was asked
-/// for, and the share of such cells is a limited share.
+/// Corrections for the machine that realise the growth decided by the loop. If a speed exponent is set, part
+/// of an amount is realised by speed. Where the speed is limited, cells get less than the requested amount;
+/// the share of these cells counts as limited.
 /// @param asked     one amount for each cell
 /// @param shift_mm  shift of the nozzle, one for each cell
 RealisedCorrection realised(const LayerCells& cells, const LayerCorrection& asked,

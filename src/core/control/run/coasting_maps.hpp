@@ -14,18 +14,19 @@
 
 namespace lamina {
 
-/// The coasting maps of the layer under way and of the next one: what a machine deposits a layer by whose own
-/// map does not come in time.
+/// The coasting maps of the layer under way and of the next one. A machine deposits a layer by its coasting
+/// map if the layer's own map does not come in time.
 class CoastingMaps {
  public:
-  /// Gives the next layer its coasting map, and for a feeder with a dead time decides with what that layer is
-  /// expected to begin. The coasting map goes by what is learnt of the growth and without the error: what the
-  /// layer under way will show may come too late.
-  /// @param next  the loop at the beginning of the next layer, as if nothing was seen of the one under way
+  /// Gives the next layer its coasting map and, for a feeder with a dead time, the amounts expected at the
+  /// start of that layer. The map uses the growth learnt so far, not the error, as measurements of the layer
+  /// under way may come too late.
+  /// @param next  the loop at the beginning of the next layer, as if the layer under way had not been
+  ///   measured
   /// @param laid  the layer under way
   const CorrectionMap& give(const HeightLoop& next, const LaidLayer& laid, const std::string& toolpath_id,
                             const LoopRunSettings& settings);
-  /// Begins a layer, whose coasting map, if it has one, is what it falls back on.
+  /// Begins a layer. The layer falls back on its coasting map if it has one.
   void begin(std::size_t layer, LaidLayer& laid);
 
   /// The map of the layer under way with what is expected of the next one.
@@ -35,7 +36,7 @@ class CoastingMaps {
   void use() { is_used_ = true; }
   bool isUsed() const { return is_used_; }
 
-  /// Null if the layer has none, or is done.
+  /// The coasting map of a layer; null if it has none, or is done.
   const CorrectionMap* of(std::size_t layer) const;
 
  private:

@@ -18,8 +18,8 @@ namespace lamina {
 /// Amounts and shifts of the nozzle with which the layer under way is deposited, one of each per cell. They
 /// are those of the layer's last map, except on cells that the machine deposited without it.
 ///
-/// What the layer before ended with carries over: its last amount fades if the loop no longer corrects, and
-/// its mean shift changes gradually.
+/// The end of the previous layer carries over: its last amount fades if the loop no longer corrects, and its
+/// mean shift changes gradually.
 class LaidLayer {
  public:
   /// Sets what carries over to the next layer.
@@ -39,13 +39,13 @@ class LaidLayer {
   /// Replaces the amounts, in the map too.
   /// @param amount  relative, one for each cell
   void trim(const LayerCells& cells, std::vector<double> amount, const LoopSettings& settings);
-  /// By what cells are deposited that go to the machine before their map.
+  /// How cells are deposited that are sent to the machine before their map.
   enum class Without : std::uint8_t {
     Map,    ///< as planned
     OwnMap  ///< by the coasting map, if the layer has one
   };
-  /// Lays the first cells without the last map, on which the last amount of the layer before fades to 0 or to
-  /// the amounts of the coasting map, and the others by that map, no faster than the feeder follows.
+  /// Lays the first cells without the last map, and the others by it, no faster than the feeder follows. On
+  /// the first cells the last amount of the previous layer fades to 0 or to the amounts of the coasting map.
   /// @param cell  number of cells that the machine deposited without the map; 0 if it has all of them
   void layMapFrom(const LayerCells& cells, std::size_t cell, const LoopSettings& settings,
                   Without without = Without::Map);
@@ -54,7 +54,7 @@ class LaidLayer {
   bool isAsPlanned() const;
   /// Whether part of the layer is laid without its map.
   bool isMapMissed() const { return is_map_missed_; }
-  /// Whether all of the layer is.
+  /// Whether the whole layer is laid without its map.
   bool isWhollyMissed() const { return is_wholly_missed_; }
 
   /// The amounts by which the layer grows.
@@ -67,7 +67,7 @@ class LaidLayer {
   /// The last map, as the machine gets it.
   CorrectionMap map(const LayerCells& cells, const std::string& toolpath_id, std::uint64_t sequence) const;
 
-  /// What has become of each cell.
+  /// The outcome of each cell.
   std::vector<CellOutcome> outcomes(const LayerCells& cells,
                                     const std::vector<CellEstimate>& estimates) const;
 
@@ -90,7 +90,7 @@ class LaidLayer {
   LoopState state_ = LoopState::Off;
   bool is_map_missed_ = false;
   bool is_wholly_missed_ = false;
-  double first_amount_ = 0.0;  ///< by which the layer before has ended
+  double first_amount_ = 0.0;  ///< last amount of the previous layer
   double mean_shift_mm_ = 0.0;
   double last_amount_ = 0.0;
 };

@@ -29,8 +29,8 @@ class LayerTrim {
   /// @return whether the amounts of cells to come differ from those reported last
   bool advance(std::size_t laid, const std::vector<CellEstimate>& estimates);
 
-  /// The trimmed amounts of all cells, within the limits of the loop: a trim gets what the layer's map has
-  /// left of the change of the layer's volume.
+  /// The trimmed amounts of all cells, within the limits of the loop: trims may use the part of the layer's
+  /// volume change that the layer's map leaves.
   const std::vector<double>& amount() const { return amount_; }
 
  private:

@@ -32,11 +32,11 @@ double gapBetween(const Screw& a, const Screw& b);
 /// positive if the wrist is in front of axis 1. 1 if axes 1 and 2 are parallel.
 double shoulderSine(const ArmAxes& axes, const Point3& wrist);
 
-/// Sines that vanish at the singularities of an arm of any geometry; 1 for one that is not defined. The
-/// shoulder's is defined if axes 1 and 2 are not parallel, and refers to the point of axis 5 nearest to axis
-/// 6. The elbow's is defined if axes 2 and 3 are parallel, and refers to axis 4, or, if axis 4 is parallel to
-/// neither axis 3 nor axis 5, to the point of axis 4 nearest to axis 5. The wrist's is the triple product of
-/// axes 4, 5 and 6.
+/// Sines that vanish at the singularities of an arm of any geometry; an undefined sine is 1. The shoulder
+/// sine is defined if axes 1 and 2 are not parallel; it refers to the point of axis 5 nearest to axis 6. The
+/// elbow sine is defined if axes 2 and 3 are parallel; it refers to axis 4 or, if axis 4 is parallel to
+/// neither axis 3 nor axis 5, to the point of axis 4 nearest to axis 5. The wrist sine is the triple product
+/// of axes 4, 5 and 6.
 ArmSines generalSines(const ArmAxes& axes);
 
 /// The first three joints of an arm whose axis 2 is at a right angle to axis 1, and whose axis 3 is parallel
@@ -70,8 +70,8 @@ class ArmPlane {
   };
   Ways waysTo(const Point3& point) const;
 
-  /// The rotations of axes 2 and 3 together in these two postures, to a target in the plane seen from axis 2
-  /// (`inPlane`), and their excess: what `waysTo` has, in a fraction of its time.
+  /// The combined rotations of axes 2 and 3 in both postures, to a target in the plane seen from axis 2
+  /// (`inPlane`), and the excess: as by `waysTo`, but in a fraction of the time.
   struct Bends {
     std::array<Turn, 2> both;
     double excess = 0.0;
@@ -108,7 +108,7 @@ class ArmPlane {
 
  private:
   Point3 centre_;  // on axis 1
-  Point3 axis_;    // of axis 1
+  Point3 axis_;    // direction of axis 1
   Point3 normal_;  // axis 2
   Point3 u_;
   Point3 v_;
@@ -116,8 +116,8 @@ class ArmPlane {
   double upper_mm_ = 0.0;  // axis 2 to axis 3
   double fore_mm_ = 0.0;   // axis 3 to the end
   Turn upper_at_zero_;     // direction from axis 2 to axis 3
-  Turn bent_at_zero_;      // of the second link from the first
-  double sense_ = 1.0;     // of axis 3 about the normal
+  Turn bent_at_zero_;      // rotation of the second link from the first
+  double sense_ = 1.0;     // 1 or -1: sense of axis 3 about the normal
 };
 
 }  // namespace lamina

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// Values of the joints of an arm of six, or of seven, from the base to the nozzle [rad].
+/// Values of the joints of a six-axis or a seven-axis arm, from the base to the nozzle [rad].
 using ArmValues = Eigen::Matrix<double, 6, 1>;
 using SevenValues = Eigen::Matrix<double, 7, 1>;
 
@@ -19,13 +19,12 @@ struct ArmChain {
   SerialChain arm;       ///< the joints of the arm alone, from the base to the nozzle; external axes at zero
   /// Index of each external joint among the joints of the whole chain.
   std::vector<Eigen::Index> external_index;
-  boost::container::static_vector<Eigen::Index, 7> arm_index;  ///< the same of each joint of the arm
+  boost::container::static_vector<Eigen::Index, 7> arm_index;  ///< index of each joint of the arm, likewise
 };
 
 /// Splits a chain.
 /// @throws InvalidConfig stating the joints found, unless five to seven rotary joints are next to the nozzle
-/// and all
-///   others are named external_...
+///   and all other joints are named external_...
 ArmChain armChain(SerialChain whole);
 
 /// The values of the arm's joints among those of the whole chain.

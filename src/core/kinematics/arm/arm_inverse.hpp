@@ -46,23 +46,23 @@ class ArmInverse {
   virtual double singularityMargin(const ArmValues& values) const = 0;
 };
 
-/// Inverse kinematics in closed form of an arm with a spherical wrist (`sphericalWristArm`); null of any
-/// other.
+/// Inverse kinematics in closed form of an arm with a spherical wrist (`sphericalWristArm`); null for any
+/// other arm.
 std::unique_ptr<const ArmInverse> closedFormInverse(const SerialChain& arm);
 
 /// Inverse kinematics in closed form of an arm whose axes 2, 3 and 4 are parallel and at a right angle to
-/// axis 1, and whose axes 5 and 6 meet within 0.5 mm; null of any other.
+/// axis 1, and whose axes 5 and 6 meet within 0.5 mm; null for any other arm.
 std::unique_ptr<const ArmInverse> parallelAxesInverse(const SerialChain& arm);
 
 /// Inverse kinematics, by a search along joint 6, of an arm whose axes 4 and 5 meet within 0.5 mm, with axis
-/// 2 at a right angle to axis 1, and axis 3 parallel to axis 2; null of any other.
+/// 2 at a right angle to axis 1, and axis 3 parallel to axis 2; null for any other arm.
 std::unique_ptr<const ArmInverse> offsetWristInverse(const SerialChain& arm);
 
 /// Inverse kinematics of an arm of any geometry, by iteration from several starts. A call takes milliseconds
 /// and may miss a branch.
 std::unique_ptr<const ArmInverse> iteratedInverse(const SerialChain& arm);
 
-/// The inverse kinematics of the first of these classes that an arm is of, and the name of the class.
+/// The inverse kinematics of the first of these classes to which an arm belongs, and the name of the class.
 struct ClassifiedInverse {
   std::unique_ptr<const ArmInverse> inverse;
   std::string name;

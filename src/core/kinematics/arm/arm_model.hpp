@@ -12,7 +12,8 @@
 
 namespace lamina {
 
-/// An arm of rotary joints, alone or with external axes; its inverse kinematics depend on how many there are.
+/// An arm of rotary joints, alone or with external axes; the inverse kinematics depend on the number of
+/// joints.
 class ArmModel : public KinematicModel {
  public:
   explicit ArmModel(ArmChain chain) : chain_(std::move(chain)) {}
@@ -28,7 +29,7 @@ class ArmModel : public KinematicModel {
   std::map<std::string, double> urdfJoints(const JointValues& values) const override;
 
   const ArmChain& chain() const { return chain_; }
-  /// Class of its kinematics, by which the inverse kinematics are solved.
+  /// Kinematic class, which determines the solver of the inverse kinematics.
   virtual std::string kinematicClass() const = 0;
 
  private:
@@ -40,8 +41,8 @@ class ArmModel : public KinematicModel {
 const ArmModel& requireArm(const KinematicModel& model);
 
 /// Makes the kinematic model of an arm of five to seven axes from its URDF.
-/// @throws InvalidConfig as `serialChain` and `armChain`, and naming the two axes if neighbouring axes of
-///   seven are not at right angles
+/// @throws InvalidConfig as `serialChain` and `armChain`, and naming both axes if neighbouring axes of a
+///   seven-axis arm are not at right angles
 std::unique_ptr<KinematicModel> armModel(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

@@ -35,7 +35,7 @@ class FiveAxisArm : public ArmModel {
 
   ArmValues withMissing(const JointValues& values) const;
 
-  Eigen::Index missing_ = kLast;  ///< index of the joint that the arm does not have among the six
+  Eigen::Index missing_ = kLast;  ///< index of the fictitious joint among the six
   ClassifiedInverse inverse_;
 };
 

@@ -6,10 +6,10 @@
 
 namespace lamina {
 
-/// What a turn of 1 rad counts as [mm].
+/// Lever arm by which rotations are converted to lengths [mm/rad].
 inline constexpr double kTurnLever = 1e3;
 
-/// The motion from one pose to another: tip [mm], turn [mm at the lever].
+/// The motion from one pose to another: translation of the tip [mm], rotation vector times `kTurnLever` [mm].
 Eigen::Matrix<double, 6, 1> poseDifference(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
 
 }  // namespace lamina

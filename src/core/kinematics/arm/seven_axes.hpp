@@ -13,15 +13,15 @@ namespace lamina {
 /// The axes of an arm of seven joints with all of them at zero [mm, bed frame], each at a right angle to the
 /// next within 1e-3 rad.
 ///
-/// The shoulder is the point of axis 1 nearest to axis 2, which no joint moves. The wrist is the point of
-/// axis 6 nearest to axis 5, which joints 1 to 5 move. The points of axes 1 to 3 are those nearest to the
-/// shoulder, the points of axes 5 to 7 those nearest to the wrist.
+/// The shoulder is the point of axis 1 nearest to axis 2; no joint moves the shoulder. The wrist is the point
+/// of axis 6 nearest to axis 5; joints 1 to 5 move the wrist. The points of axes 1 to 3 are those nearest to
+/// the shoulder, the points of axes 5 to 7 those nearest to the wrist.
 struct SevenAxes {
   std::array<Screw, 7> axes;
   Eigen::Isometry3d bed_from_nozzle_at_zero = Eigen::Isometry3d::Identity();
   Point3 shoulder = Point3::Zero();
   Point3 wrist = Point3::Zero();
-  /// 1 or -1, so that this times the direction of axis 4 is that of axis 2 rather than its opposite.
+  /// -1 if axis 4 points opposite to axis 2 with all joints at zero, otherwise 1.
   double elbow_sense = 1.0;
 };
 
@@ -33,11 +33,11 @@ double offsetOf(const SevenAxes& arm);
 /// Greatest angle by which neighbouring axes miss a right angle [rad].
 double tiltOf(const SevenAxes& arm);
 
-/// The arm with its axes moved, without turning them: at 0 those of shoulder and wrist pass through these
-/// points, at 1 they are where they are.
+/// The arm with its axes shifted, not rotated. At `part` 0 the axes of shoulder and wrist pass through these
+/// two points; at 1 the arm is unchanged.
 SevenAxes movedAxes(const SevenAxes& arm, double part);
 
-/// Where the axes and the nozzle are at joint values.
+/// Positions of the axes and the nozzle at joint values.
 struct SevenPosture {
   std::array<Screw, 7> axes;
   Eigen::Isometry3d bed_from_nozzle = Eigen::Isometry3d::Identity();
@@ -45,9 +45,9 @@ struct SevenPosture {
 };
 SevenPosture postureOf(const SevenAxes& arm, const SevenValues& values);
 
-/// The arm angle [rad], in (-pi, pi]: the turn of axis 4 about the line from the shoulder to the wrist, from
-/// where it is at a right angle to axis 1 and the wrist in front of it. It is 0 while the arm moves in a
-/// plane as one of six axes does, with joint 3 at zero. Undefined, and 0, while the wrist is on axis 1.
+/// The arm angle [rad], in (-pi, pi]: the rotation of axis 4 about the line from the shoulder to the wrist.
+/// At 0, axis 4 is at a right angle to axis 1 with the wrist in front of axis 1: the arm moves in a plane
+/// like a six-axis arm, with joint 3 at zero. The angle is undefined, and 0, while the wrist is on axis 1.
 double armAngle(const SevenAxes& arm, const SevenPosture& posture);
 
 /// Derivatives of the arm angle by the joint values.

@@ -12,7 +12,7 @@ namespace lamina {
 /// An arm of seven rotary joints, alone or with external axes. Its redundancy is the arm angle.
 class SevenAxisArm : public ArmModel, public Redundancy {
  public:
-  /// @throws InvalidConfig naming the two joints if axes of neighbours are not at right angles
+  /// @throws InvalidConfig naming both joints if neighbouring axes are not at right angles
   explicit SevenAxisArm(ArmChain chain);
 
   /// With the arm angle of `near`.

@@ -9,8 +9,8 @@
 namespace lamina {
 
 /// One solution of the inverse kinematics of an arm of seven axes for a pose and an arm angle. `branch` holds
-/// the signs of `SevenSines` as bits: 4 if that of the shoulder is negative, 2 that of the elbow, 1 that of
-/// the wrist. If several solutions share all signs, 8, 16, ... are added to those after the first.
+/// the signs of `SevenSines` as bits: 4 if the shoulder sine is negative, 2 if the elbow sine is, 1 if the
+/// wrist sine is. If several solutions share all signs, 8, 16, ... are added to those after the first.
 struct SevenSolution {
   int branch = 0;
   SevenValues values;  ///< in (-pi, pi]
@@ -19,8 +19,8 @@ using SevenSolutions = boost::container::static_vector<SevenSolution, 8>;
 
 /// Inverse kinematics of an arm of seven axes. If axes 1 to 3 meet in the shoulder and axes 5 to 7 in the
 /// wrist, all solutions are found in closed form, and refined by Newton's method if the axes miss these
-/// points or right angles by more than rounding, up to 0.5 mm. Of any other arm the solutions are followed by
-/// Newton's method from those with the axes moved to these points: only those found so are returned.
+/// points or right angles by more than rounding, up to 0.5 mm. For any other arm, Newton's method follows the
+/// solutions from the arm whose axes are shifted to these points; only solutions found this way are returned.
 class SevenAxisInverse {
  public:
   /// @throws InvalidConfig as `sevenAxes`
@@ -30,8 +30,8 @@ class SevenAxisInverse {
   bool isSpherical() const { return !is_followed_; }
 
   /// The solutions for a pose and an arm angle [rad], in the order of branches. None out of reach.
-  /// @param near  values that are kept for joint 1 if axes 1 and 3 are in line, and for joint 5 if axes 5 and
-  ///   7 are
+  /// @param near  values from which joint 1 is kept if axes 1 and 3 are in line, and joint 5 if axes 5 and 7
+  ///   are in line
   SevenSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle, double arm_angle,
                            const SevenValues& near) const;
 

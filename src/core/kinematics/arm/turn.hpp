@@ -37,7 +37,7 @@ inline Eigen::Matrix3d matrixOf(const Point3& axis, const Turn& turn) {
 struct TwoTurns {
   std::array<Turn, 2> turns;
   double excess =
-      0.0;  ///< |d| over the greatest value of the left side, less 1: positive where there are none
+      0.0;  ///< |d| over the greatest value of the left side, less 1: positive if there is no solution
 };
 
 inline TwoTurns turnsWith(double a, double b, double d) {

@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// The controller of a cell file's `controller`.
+/// The controller that the key `controller` of a cell file states.
 /// @throws InvalidConfig naming the line
 ArmController armControllerFrom(const StrictYaml& node);
 
-/// The element of a description that states it.
+/// The element of a description that states a controller.
 std::string controllerText(const ArmController& controller);
 
 }  // namespace lamina

@@ -20,11 +20,11 @@ struct ReplacedLimit {
 };
 
 /// Reads `limits`: joints by their names, each with lower_deg, upper_deg, deg_s, wider.
-/// @throws InvalidConfig naming file, line and key if anything else stands there
+/// @throws InvalidConfig naming file, line and key on any other content
 std::vector<ReplacedLimit> replacedLimitsFrom(const StrictYaml& node);
 
 /// A description (URDF) with the limits replaced. A joint of type `continuous` for which both bounds are
-/// stated becomes `revolute`. Text that is no URDF comes back as it is.
+/// stated becomes `revolute`. Text that is no URDF is returned unchanged.
 /// @throws InvalidConfig naming joint and values if the description has no such rotary joint, or if a limit
 ///   is wider or faster than the description's without `may_widen`
 std::string withReplacedLimits(const std::string& urdf, const std::vector<ReplacedLimit>& limits);

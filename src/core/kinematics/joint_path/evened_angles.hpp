@@ -6,11 +6,11 @@
 
 namespace lamina {
 
-/// Angles along a run, evened out: means over neighbours, twice, which keep the ends and stay within a
-/// distance of the angles they come from. Linear time.
-/// @param angles          [rad]; neighbours are less than half a turn apart, but for whole turns
+/// Angles along a run, evened out by means over neighbours, twice. The ends are kept, and no angle deviates
+/// from the given one by more than `most_deviation`. Linear time.
+/// @param angles          [rad]; neighbours are less than half a turn apart, modulo whole turns
 /// @param most_deviation  [rad]
-/// @return without leaps by whole turns
+/// @return the angles without jumps by whole turns
 std::vector<double> evenedOut(const std::vector<double>& angles, double most_deviation);
 
 }  // namespace lamina

@@ -40,7 +40,7 @@ GravityTable gravityTable(const KinematicModel& model);
 /// Settings by which a table is moved with gravity.
 struct GravityRule {
   double cone = 0.0;  ///< greatest angle of a tool axis from straight down [rad]
-  /// Value of the turning axis as long as tool axes at the beginning leave it free [rad].
+  /// Value of the turning axis until a tool axis first determines it [rad].
   double start = 0.0;
 };
 
@@ -53,8 +53,8 @@ struct TableValues {
 /// like a taut string over the durations: first the tilt, within half of the cone, then the turn, within what
 /// the tilt leaves of the cone. Where every value of the turn keeps the tool axis within the cone, the turn
 /// is free. At the first and the last station at which it is not free the tool axis points straight down. Of
-/// the two ways to tilt, the one within the limits is chosen, then the one with the lesser tilt, then the one
-/// that brings the tip nearer to axis 1 of the arm.
+/// the two possible tilts, the one within the limits is chosen, then the lesser one, then the one that brings
+/// the tip nearer to axis 1 of the arm.
 /// @throws Unreachable naming the table if it cannot turn a tool axis down
 std::vector<TableValues> tableValues(const GravityTable& table, const std::vector<Station>& stations,
                                      const GravityRule& rule);

@@ -7,16 +7,16 @@
 
 namespace lamina {
 
-/// How joint values are planned, several times for toolpaths that have most stations in common. What it
-/// refers to must outlive it.
+/// Inputs for planning joint values several times, for toolpaths that share most stations. The objects
+/// referred to must outlive it.
 struct JointPlanning {
   const GuardedModel& guarded;
   const JointPathSettings& settings;
-  RungStore& rungs;  ///< of this model and these settings alone
+  RungStore& rungs;  ///< rungs of this model and these settings only
 };
 
-/// As with a guarded model alone; rungs that are kept are not solved again, and those that are solved are
-/// kept. The result is the same.
+/// As with a guarded model alone, with the same result. Rungs in the store are not solved again; newly solved
+/// rungs are stored.
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                         const JointPlanning& planning, Progress& progress);
 

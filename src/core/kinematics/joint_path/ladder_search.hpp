@@ -18,7 +18,7 @@ namespace lamina {
 /// as the toolpath asks. Then the motion passes a singularity at which the branches meet.
 using SteadyCrossing = std::function<bool(const double* from, const double* to)>;
 
-/// Finds the cheapest way along a ladder of rungs by dynamic programming. A rung is needed only until the
+/// Finds the cheapest path along a ladder of rungs by dynamic programming. A rung is needed only until the
 /// next but one arrives; 2 bytes are kept for each of its nodes.
 ///
 /// The cost of an edge is the sum of the squared turns of the joints over their greatest speeds and of the
@@ -34,7 +34,7 @@ class LadderSearch {
  public:
   LadderSearch(std::vector<JointRange> ranges, const JointPathSettings& settings, SteadyCrossing crossing);
 
-  /// How a rung is joined to the one before.
+  /// How a rung is joined to the previous one.
   enum class Link : std::uint8_t {
     Start,  ///< nothing is before it
     Joined,
@@ -47,7 +47,7 @@ class LadderSearch {
   struct Cut {
     std::size_t joint = 0;
     double turn = 0.0;      ///< [mm, rad]; infinite if there is no node of the branch
-    bool is_wound = false;  ///< whether a whole turn of the joint is all that is in the way
+    bool is_wound = false;  ///< whether only a whole turn of the joint prevents an edge
   };
   const Cut& lastCut() const { return cut_; }
 
@@ -57,7 +57,7 @@ class LadderSearch {
  private:
   struct RungRecord {
     std::size_t first_back = 0;
-    NodeId end = kNoNode;  ///< where the way ends, if the next rung is not joined
+    NodeId end = kNoNode;  ///< end of the path, if the next rung is not joined
     std::uint8_t branches = 0;
   };
   struct Reached {
@@ -102,7 +102,7 @@ class LadderSearch {
   std::vector<double> weights_;
   std::vector<double> half_periods_;
   std::vector<double> most_turn_;
-  std::vector<double> yaw_costs_;  ///< by how many samples apart, of the newest rung of yaws
+  std::vector<double> yaw_costs_;  ///< cost by distance in samples, for the newest rung of yaws
   Rung before_;
   int free_rungs_ = 0;  ///< number of rungs of a free joint in a row, up to `before_`
   std::vector<double> cost_;

@@ -17,8 +17,8 @@ enum class SampleKind : std::uint8_t {
 /// Number of a node within its rung, in 2 bytes: sample * kMostBranches + branch.
 using NodeId = std::uint16_t;
 constexpr int kMostBranches = 128;
-constexpr int kUsualBranches = 8;  ///< of an arm
-constexpr int kMostSamples = 511;  ///< of all rows together
+constexpr int kUsualBranches = 8;  ///< usual number of branches of an arm
+constexpr int kMostSamples = 511;  ///< greatest number of samples of all rows together
 constexpr NodeId kNoNode = 0xFFFF;
 
 inline NodeId nodeId(int sample, int branch) { return static_cast<NodeId>(sample * kMostBranches + branch); }
@@ -29,8 +29,8 @@ inline int branchOf(NodeId node) { return node % kMostBranches; }
 struct Rung {
   SampleKind kind = SampleKind::Single;
   int samples = 0;
-  /// Of samples: one for each value of the redundancy, as far apart from one to the next as from the last to
-  /// the first. The samples of a row follow each other.
+  /// Number of rows of samples: one row for each value of the redundancy. The values are equally spaced
+  /// around a turn. The samples of a row follow each other.
   int rows = 1;
   int branches = 0;
   int joints = 0;

@@ -21,7 +21,7 @@ namespace lamina {
 class RungSolver {
  public:
   RungSolver(const GuardedModel& guarded, const JointPathSettings& settings);
-  /// @param ranges  of the model's joints; one that could wind may be taken as one that does not
+  /// @param ranges  ranges of the model's joints; a joint that could wind may be given as one that does not
   RungSolver(const GuardedModel& guarded, const JointPathSettings& settings, std::vector<JointRange> ranges);
 
   /// The rung of a station. Its nodes are within the limits, allowed by the guard, and no nearer to a
@@ -76,7 +76,7 @@ class RungSolver {
   std::vector<JointRange> ranges_;
   std::vector<bool> is_external_;
   double least_margin_;    ///< as `KinematicModel::singularityMargin`
-  double avoided_margin_;  ///< the same
+  double avoided_margin_;  ///< as `KinematicModel::singularityMargin`
 };
 
 }  // namespace lamina

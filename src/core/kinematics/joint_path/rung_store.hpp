@@ -31,9 +31,9 @@ struct KeptRung {
   std::size_t bytes() const;
 };
 
-/// Rungs of stations, kept from one plan of a toolpath to the next: once some of its motions are divided,
-/// most stations are as before, and solving them takes far longer than anything else. Only as many are kept
-/// as there is room for.
+/// Rungs of stations, kept from one plan of a toolpath to the next. When some motions are divided most
+/// stations stay unchanged, and solving their rungs takes most of the time. Rungs are kept as long as there
+/// is room.
 class RungStore {
  public:
   /// @param most_bytes  room for all rungs together; 0 keeps nothing
@@ -45,7 +45,7 @@ class RungStore {
   /// Calls may come from several threads, while nothing is added.
   std::optional<Rung> find(const Station& station) const;
 
-  /// Keeps a rung if there is room; the store is full from the first on that does not fit.
+  /// Keeps a rung if there is room. The first rung that does not fit marks the store as full.
   void add(const Station& station, KeptRung rung);
 
  private:

@@ -15,7 +15,7 @@
 
 namespace lamina {
 
-/// Input of the search for joint values. What it refers to must outlive it.
+/// Input of the search for joint values. The objects referred to must outlive it.
 struct StationTask {
   const std::vector<Station>& stations;
   const KinematicModel& model;
@@ -38,14 +38,14 @@ struct StationFault {
   std::string reason;
 };
 
-/// The cheapest way through all stations, and the stations at which it is interrupted.
+/// The cheapest path through all stations, and the stations at which it is interrupted.
 struct StationWayThrough {
   std::vector<StationJoints> stations;
   std::vector<StationFault> faults;  ///< stations without a node, and jumps, in the order of stations
 };
 
-/// Searches the cheapest way. Rungs are computed in parallel and in blocks, so that only few are in memory
-/// beside those of the store.
+/// Searches the cheapest path. Rungs are computed in parallel and in blocks: only few are in memory besides
+/// those of the store.
 StationWayThrough searchLadder(const StationTask& task, RungStore& rungs, Progress& progress);
 
 /// Smooths the sampled angles of each run of stations in one branch. A run is left unchanged if the smoothed
@@ -54,8 +54,8 @@ void smoothSamples(std::vector<StationJoints>& joints, const StationTask& task, 
 
 /// Reduces swings of the rotary joint whose axis is nearly along the tool axis of a machine: the joint turns
 /// no more than needed to keep the tool axis within `swing_tolerance_deg` of the requested one, with the tip
-/// unchanged. A run is left unchanged if one of its stations cannot be reached so, and so is everything on
-/// machines of other kinds.
+/// unchanged. A run is left unchanged if one of its stations cannot be reached this way. Joint values of
+/// machines of other kinds are left unchanged.
 void steadySwings(std::vector<StationJoints>& stations, const StationTask& task);
 
 /// Stations near a singularity at which a joint would slow down the feed by more than the settings allow.

@@ -21,7 +21,7 @@ constexpr double kLeastDuration = 1e-3;
 /// Length below which a motion counts as in place: it deposits nothing and may take any time [mm].
 constexpr double kInPlace = 1e-6;
 
-/// What the joints may do on the way to a station.
+/// What the joints may do during the motion to a station.
 enum class StationWay : std::uint8_t {
   Deposition,   ///< only what the path asks for; also where two paths join
   Travel,       ///< turns of any size, but no change of branch
@@ -68,10 +68,9 @@ std::vector<double> passedAt(const std::vector<Station>& stations);
 
 /// Sets the external axes of stations to the values that the settings ask for: rails to 0 unless the one that
 /// carries the arm is moved (arm_rail.hpp), and a table that follows or obeys gravity to the values that the
-/// tool axes require. If the tool axis is along the axis of a
-/// table, that axis keeps its value. If gravity moves the table and the yaw is free, the nozzle is turned so
-/// that it does not turn about its tool axis in the room. Does nothing if the kinematic model has no external
-/// axes.
+/// tool axes require. If the tool axis is along an axis of a table, that axis keeps its value. If gravity
+/// moves the table and the yaw is free, the nozzle is turned to keep its angle about the tool axis in the
+/// room. Does nothing if the kinematic model has no external axes.
 /// @throws InvalidConfig if the table is to follow but external_1 is no rotary table; as
 ///   `gravityTable` and `armRail`
 /// @throws Unreachable as `tableValues` and `railValues`

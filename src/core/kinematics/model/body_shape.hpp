@@ -10,7 +10,8 @@
 
 namespace lamina {
 
-/// The shape of a `<collision>` element; a cylinder whose collision is named `cone` is the cone in it.
+/// The shape of a `<collision>` element; a cylinder whose collision is named `cone` stands for the cone
+/// inscribed in it.
 /// @throws InvalidConfig if it is a mesh or has a size that is not positive, naming the link
 BodyShape shapeOf(const urdf::Collision& collision, const std::string& link);
 

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Limits of a joint, as the search among its values needs them.
+/// Limits of a joint, for the search among its values.
 struct JointRange {
   bool is_rotary = false;
   bool winds = false;      ///< whether the joint is rotary and can turn on by a whole turn
@@ -26,8 +26,8 @@ constexpr double kLimitTolerance = 1e-9;  ///< mm, rad: rounding of inverse solu
 /// @throws InvalidInput naming the joint if the greatest speed of one is not positive
 std::vector<JointRange> jointRanges(const std::vector<DrivenJoint>& joints);
 
-/// The value equal to the given one but for whole turns that is nearest to the middle of the limits. It is
-/// within the limits if any such value is. The value of a joint that slides stays as it is.
+/// The value nearest to the middle of the limits among those that differ from the given one by whole turns.
+/// It is within the limits if any such value is. Values of linear joints stay unchanged.
 /// @param value  [mm or rad]
 inline double nearMiddle(const JointRange& range, double value) {
   if (!range.is_rotary) return value;
@@ -41,7 +41,7 @@ inline bool isWithin(const JointRange& range, double value) {
   return value >= range.low - kLimitTolerance && value <= range.high + kLimitTolerance;
 }
 
-/// Difference from one value to another [mm or rad]; of a joint that winds by the shorter way.
+/// Difference from one value to another [mm or rad]; for a joint that winds, the shorter rotation.
 inline double stepBetween(const JointRange& range, double from, double to) {
   const double step = to - from;
   if (!range.winds || (step > -M_PI && step <= M_PI)) return step;

@@ -15,7 +15,7 @@
 namespace lamina {
 
 /// Axis along or about which a joint moves the nozzle relative to the bed, with all joints at zero [mm, bed
-/// frame]. Joints that carry the bed move it the other way, so their directions are reversed.
+/// frame]. Directions of joints that carry the bed are reversed.
 struct Screw {
   /// Along which (linear) or about which (rotary) the nozzle moves; of unit length.
   Point3 direction = Point3::Zero();
@@ -33,7 +33,7 @@ struct ChainLink {
   int joint = kNone;  ///< index of the driven joint that moves the link; none if it is fixed to its parent
   JointKind kind = JointKind::Linear;
   Point3 axis = Point3::Zero();  ///< [frame of the link]
-  /// Of the driven joint's value; 1 with offset 0, unless the link's joint mimics the driven one.
+  /// Factor on the driven joint's value; 1, with offset 0, unless the link's joint mimics the driven one.
   double factor = 1.0;
   double offset = 0.0;  ///< added to that product [mm, rad]
 };
@@ -50,10 +50,10 @@ struct SerialChain {
 };
 
 /// Makes the chain of a URDF. Its driven joints are the prismatic, revolute and continuous ones between the
-/// links bed and nozzle; elsewhere, only joints that mimic one of them may move. The order of joints is:
-/// those not named external_... first, then those that are, by name. If there is a joint x, the former are
-/// sorted with linear ones before rotary ones and by name, otherwise as they follow each other from the bed.
-/// A continuous joint has infinite limits. A linear one whose range is 1 km or more has no upper limit.
+/// links bed and nozzle; elsewhere, only joints that mimic one of them may move. Joints not named
+/// external_... come first, then joints named external_..., by name. If there is a joint x, the first group
+/// is sorted with linear joints before rotary ones and by name; otherwise it keeps the order from the bed. A
+/// continuous joint has infinite limits. A linear one whose range is 1 km or more has no upper limit.
 /// @throws InvalidConfig naming the link or joint: a link bed or nozzle is missing, a driven joint has no
 ///   limits, no speed, or an axis that is not of unit length, or another joint moves
 SerialChain serialChain(const urdf::ModelInterface& model, const std::string& text);

@@ -20,8 +20,8 @@ struct ToolAxisTurner {
 
 /// Angles of the joints that give a direction [rad]; the second one is 0 if there is one joint only.
 struct ToolAxisTurn {
-  /// 0 or 1: the side of the plane of both axes on which the direction lies that the second joint gives
-  /// alone.
+  /// 0 or 1: the side of the plane of both axes on which the direction lies after the second joint's rotation
+  /// only.
   int branch = 0;
   /// In (-pi, pi]; that of a free joint is its value in `near`.
   Eigen::Vector2d angles = Eigen::Vector2d::Zero();

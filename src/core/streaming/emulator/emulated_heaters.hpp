@@ -21,8 +21,7 @@ class EmulatedHeater {
   void elapse(double seconds);
   double actual() const { return actual_c_; }
   double target() const { return target_c_; }
-  /// Time of heating until the target is reached, or the limit if that is lower; 0 if the heater is at least
-  /// as warm.
+  /// Heating time until the lower of target and limit is reached; 0 if the heater is at least as warm.
   double timeToHeat() const;
   /// Time until the target is reached by heating or cooling.
   double timeToReach() const;
@@ -46,7 +45,7 @@ struct EmulatedHeaters {
 
   void elapse(double seconds);
   void switchOff();
-  /// Report of temperatures as Marlin writes it, with a dryer as its heated chamber C: "T:20.00 /0.00 B:20.00
+  /// Temperature report in Marlin's format, with a dryer as the heated chamber C: "T:20.00 /0.00 B:20.00
   /// /0.00 @:0 B@:0".
   std::string report() const;
 

@@ -125,10 +125,10 @@ class EmulatedFirmware::Board {
   /// Motions of the current command for which the queue has no room yet.
   std::deque<RequestedMotion> requested_;
   bool needs_rest_ = false;  ///< whether the current command ends only when all motions have ended
-  double wait_s_ = 0.0;      ///< time that the current command takes after that
+  double wait_s_ = 0.0;      ///< dwell of the current command after its motions
   std::optional<double> wait_until_s_;
   std::string reply_;        ///< sent before the ok of the current command
-  std::string reply_in_ok_;  ///< sent on the line of that ok
+  std::string reply_in_ok_;  ///< sent on the line of the ok
 
   Point3 planned_ = Point3::Zero();
   double feed_factor_ = 1.0;

@@ -20,11 +20,11 @@ std::optional<Failure> shortfall(std::uint64_t lines_read, const JobRecord& reco
                                  const RevisedLines* revised = nullptr);
 
 /// Failure of a job whose machine has stopped responding.
-/// @param duration  of the silence, in words
+/// @param duration  duration of the silence, in words
 Failure fallenSilent(const std::string& duration, const JobRecord& record);
 
 /// Failure of a job whose machine does not respond at the start.
-/// @param limit  of the wait, in words
+/// @param limit  longest wait, in words
 Failure nobodyThere(const std::string& limit);
 
 }  // namespace lamina

@@ -7,7 +7,7 @@ namespace lamina {
 /// The wait of a machine at rest for a layer whose lines are not known yet.
 class LayerWait {
  public:
-  /// Begins a wait for a layer, which is decided at time `by`, whether its lines are known or not.
+  /// Begins a wait for a layer. At time `by` the layer is decided even if its lines are not known.
   void begin(double by) { by_ = by; }
   /// States that it was checked whether the lines are known.
   void look(double now) {

@@ -45,7 +45,7 @@ class LineFeed {
   std::uint64_t next() const { return next_; }
   /// One more than the highest number sent.
   std::uint64_t end() const { return first_kept_ + kept_.size() - (has_unsent_ ? 1 : 0); }
-  /// Layer of a line that is kept, or of the one before the first; -1 otherwise.
+  /// Layer of a line that is kept, or of the line before the first; -1 otherwise.
   std::int32_t layerOf(std::uint64_t number) const;
 
  private:
@@ -59,14 +59,14 @@ class LineFeed {
   std::uint64_t next_;
 };
 
-/// Time that the next line of a program is waited for [s]; disks that sleep need ten.
+/// Longest wait for the next line of a program [s]; sleeping disks need ten.
 inline constexpr double kLongestRead = 30.0;
 
-/// The lines of a source, read a thousand ahead in a thread of its own, so that a slow disk or network folder
-/// does not stop the machine. They end early if what they are read from has changed, since its new content
-/// was not checked, and if the next one is waited for in vain: a machine is stopped without the disk.
+/// The lines of a source, read a thousand ahead in a separate thread: a slow disk or network folder does not
+/// stop the machine. They end early if the source has changed, since its new content was not checked, and if
+/// the next line does not come within the patience: a machine is stopped without the disk.
 /// @param source, hasChanged  called in that thread, which outlives the lines while such a call lasts
-/// @param patience_s  time that the next line is waited for
+/// @param patience_s  longest wait for the next line
 LineFeed::Source readAhead(LineFeed::Source source, std::function<bool()> hasChanged, double patience_s);
 
 /// The lines of a program. They end early if its file changes meanwhile, or cannot be read for

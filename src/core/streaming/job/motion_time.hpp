@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Time of a program's motions at their feeds, line by line. Acceleration is neglected, so that the machine
-/// needs at least this time. After a line that is not Marlin's G-code all times are 0.
+/// Time of a program's motions at their feeds, line by line. Acceleration is neglected: the machine needs at
+/// least this time. After a line that is not Marlin's G-code all times are 0.
 class MotionTime {
  public:
   MotionTime();

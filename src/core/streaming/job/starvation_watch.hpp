@@ -11,10 +11,10 @@
 namespace lamina {
 
 /// Finds the lines before which the machine stood still because no motion had arrived. If the firmware
-/// reports its planner, this decides. Otherwise the time of answers does: a late answer means that the
-/// firmware was waiting for room in a full planner, so that the motions accepted since then keep it busy for
-/// their time at their feeds. An answer later than a full planner lasts also counts as starvation, as a host
-/// that was held up reads answers late. Standstill below 50 ms is not counted, as acceleration lengthens
+/// reports its planner, the reports decide. Otherwise the times of the answers decide. A late answer means
+/// that the firmware was waiting for room in a full planner: the motions accepted since then keep it busy for
+/// their time at their feeds. An answer later than the duration of a full planner also counts as starvation,
+/// as a delayed host reads answers late. Standstill below 50 ms is not counted, as acceleration lengthens
 /// motions by more than that.
 class StarvationWatch {
  public:

@@ -13,15 +13,15 @@ namespace lamina {
 /// Writes a progress file in a thread of its own. The file announces lines before they are sent: 256 lines
 /// ahead or the number sent in the last 0.2 s, whichever is more. The streamer waits for the disk only before
 /// it sends lines beyond those announced, and not for ever: it has a machine to stop. Acknowledged lines are
-/// written ten times a second and at the end of layers. The end of the writer writes the last progress, if
-/// the disk answers in time.
+/// written ten times a second and at the end of layers. The destructor writes the last progress, if the disk
+/// answers in time.
 class JournalWriter {
  public:
   using Write = ProgressKeeper::Write;
 
   JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total);
   /// @param write  called in the writer's thread, which outlives the writer while such a call lasts
-  /// @param patience_s  time that the disk is waited for
+  /// @param patience_s  longest wait for the disk
   JournalWriter(Write write, const JobProgress& known, std::uint64_t lines_total, double patience_s);
 
   /// Returns when the file announces all lines that the status counts as sent; to be called before they are

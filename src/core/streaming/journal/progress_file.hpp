@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-inline constexpr double kLongestWrite = 10.0;  ///< [s] after which a disk counts as one that does not answer
+inline constexpr double kLongestWrite = 10.0;  ///< [s] after which a disk counts as unresponsive
 
 /// A progress file that is open for writing. A record is on disk when `write` returns.
 class ProgressFile {

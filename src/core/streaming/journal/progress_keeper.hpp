@@ -14,8 +14,8 @@
 
 namespace lamina {
 
-/// Keeps the latest progress on disk, in a thread of its own: whoever states it waits for no disk but in
-/// `await`, and there not for ever, since it has a machine to stop.
+/// Keeps the latest progress on disk, in a thread of its own. Callers wait for the disk in `await` only, and
+/// no longer than the patience, since they have a machine to stop.
 class ProgressKeeper {
  public:
   /// Function that returns once the progress is on disk.
@@ -23,7 +23,7 @@ class ProgressKeeper {
   using Write = std::function<void(const JobProgress& progress)>;
 
   /// @param write  called in the keeper's thread, which outlives the keeper while such a call lasts
-  /// @param patience_s  time for which a write may last
+  /// @param patience_s  longest duration of a write
   /// @param written  progress that is on disk already; nothing if there is none
   ProgressKeeper(Write write, double patience_s, const std::optional<JobProgress>& written = {});
   /// Waits for the last progress to be written, if the disk answers in time.
@@ -43,18 +43,18 @@ class ProgressKeeper {
   void await(const std::function<bool(const JobProgress& written)>& isEnough);
 
  private:
-  /// What the thread works on. It outlives the keeper if the disk does not answer, since a thread that waits
-  /// for a disk cannot be ended.
+  /// State shared with the thread. It outlives the keeper if the disk does not answer, since a thread that
+  /// waits for a disk cannot be ended.
   struct Shared {
-    Write write;       ///< of the thread alone
-    std::mutex mutex;  ///< of everything below
+    Write write;       ///< called by the thread only
+    std::mutex mutex;  ///< guards everything below
     std::condition_variable has_changed;
-    std::optional<JobProgress> wanted;  ///< what is not being written yet
-    double wanted_s = 0.0;              ///< [s] when it was stated
-    std::optional<double> since_s;      ///< [s] when what is being written was stated
+    std::optional<JobProgress> wanted;  ///< progress that is not being written yet
+    double wanted_s = 0.0;              ///< [s] when `wanted` was stated
+    std::optional<double> since_s;      ///< [s] when the progress being written was stated
     std::optional<JobProgress> written;
     bool is_over = false;
-    bool has_ended = false;  ///< the thread
+    bool has_ended = false;  ///< whether the thread has ended
     std::string failure;
   };
 

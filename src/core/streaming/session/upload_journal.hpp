@@ -22,7 +22,7 @@ class UploadJournal {
 
   /// @throws FileError if the program is gone
   UploadJournal(const StreamJournal& where, const StreamableProgram& program, const std::string& port);
-  /// With another way to write than to the file.
+  /// As above, with another writer than that of the file.
   UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                 Writer writer);
 

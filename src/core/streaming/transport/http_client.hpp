@@ -48,7 +48,7 @@ class HttpClient {
   /// Looks up the host and tries a connection. To be called before the io_context runs.
   /// @throws Disconnected if no server listens there
   void open();
-  /// Sends a request; the last one must be over or broken off.
+  /// Sends a request; the previous request must be over or broken off.
   void ask(const HttpRequest& request, const ProgramBody& program);
   /// Closes the connection of the current request without a callback.
   void breakOff();

@@ -11,22 +11,23 @@
 
 namespace lamina {
 
-/// Where the commands of a program end in its text, and their layers. It is held in memory, a byte for most
-/// commands: while a machine prints its reports are read without the program's disk.
+/// Ends of a program's commands in its text, and their layers. They are held in memory, with one byte for
+/// most commands: during a print the machine's reports are evaluated without the program's disk.
 class CommandEnds {
  public:
   /// Adds the next command.
-  /// @param end  number of bytes of the text up to its end; not less than that of the command before
+  /// @param end  number of bytes of the text up to the command's end; not less than the end of the command
+  ///   before
   void add(std::uint64_t end, std::int32_t layer);
 
  private:
   friend class LineAtByte;
   struct LayerBegin {
-    std::uint64_t line = 0;  ///< number of commands before it
+    std::uint64_t line = 0;  ///< number of commands before the layer
     std::int32_t layer = -1;
   };
   std::string
-      distances_;  ///< between ends, seven bits a byte, low ones first; the last byte without its top bit
+      distances_;  ///< between ends, seven bits a byte, low bits first; the last byte without its top bit
   std::uint64_t lines_ = 0;
   std::uint64_t last_end_ = 0;
   std::vector<LayerBegin> layers_;

@@ -35,7 +35,7 @@ struct MachineReport {
   bool has_targets = false;  ///< whether a heater has a target, or may have one
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
-  /// What of it was left out for being no number in earnest; empty if nothing was.
+  /// First value left out as implausible, and what was expected; empty if none was.
   std::string doubt = {};
 
   bool isPrintUnderWay() const {

@@ -19,7 +19,7 @@ inline ServerAnswer refused(const std::string& why) {
   return {ServerAnswer::Kind::Refused, {ErrorCode::Rejected, why}};
 }
 
-/// The body as JSON; nothing if it is no JSON object, or one that nests more than 100 deep.
+/// The body as JSON; nothing if it is no JSON object, or nests more than 100 deep.
 std::optional<nlohmann::json> jsonOf(const HttpResponse& response);
 
 /// The error text of a response: the message in its JSON, otherwise the status and the beginning of its body.
@@ -32,8 +32,8 @@ ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& respons
 
 inline bool isSuccess(const HttpResponse& response) { return response.status / 100 == 2; }
 
-/// A number of an answer if `Value` holds it: no text, no fraction of what is whole, none that is negative or
-/// too large, and none beyond 1e9 in size of what is measured, which no machine reports in earnest.
+/// A number of an answer if `Value` can hold it. Refused are texts, fractions for whole numbers, values out
+/// of the range of `Value`, and for floating-point `Value` magnitudes above 1e9, which no machine measures.
 template <class Value>
 std::optional<Value> numberOf(const nlohmann::json& found) {
   constexpr double kGreatest = 1e9;
@@ -76,12 +76,12 @@ Value valueAt(const nlohmann::json& tree, const char* path, Value fallback) {
     return numberOf<Value>(found).value_or(fallback);
 }
 
-/// Reads numbers of an answer, and remembers the first that is none.
+/// Reads numbers of an answer, and remembers the first value that is no valid number.
 class AnswerNumbers {
  public:
   explicit AnswerNumbers(const nlohmann::json& tree) : tree_(tree) {}
 
-  /// The number at a path of keys; nothing if it is missing, null or none.
+  /// The number at a path of keys; nothing if it is missing, null or invalid.
   template <class Value>
   std::optional<Value> at(const std::string& path) {
     const nlohmann::json::json_pointer pointer(path);
@@ -93,9 +93,9 @@ class AnswerNumbers {
     }
     return number;
   }
-  /// States that what is at a path is not what was expected.
+  /// States that the value at a path is not the expected kind.
   void doubt(const std::string& path, const std::string& expected);
-  /// What the first one is that was left out, and what was expected; empty if none was.
+  /// The first value left out, and what was expected; empty if none was.
   const std::string& doubted() const { return doubted_; }
 
  private:
@@ -103,7 +103,7 @@ class AnswerNumbers {
   std::string doubted_;
 };
 
-/// The answer that an answer cannot be read for such a number.
+/// The outcome of an answer that is unreadable because of an invalid value.
 inline ServerAnswer unreadable(const std::string& what, const std::string& doubted) {
   return {ServerAnswer::Kind::Later,
           {ErrorCode::DeviceError, "the answer to " + what + " cannot be read: " + doubted}};
@@ -113,7 +113,7 @@ inline ServerAnswer unreadable(const std::string& what, const std::string& doubt
 ServerAnswer compared(const ProgramBody& body, const HttpResponse& response);
 /// Compares the size that a server reports with that of the file that was sent.
 ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes);
-/// The same of a size at a path of keys.
+/// As above, with the size at a path of keys.
 ServerAnswer comparedSize(const ProgramBody& body, const nlohmann::json& tree, const char* path);
 
 }  // namespace lamina

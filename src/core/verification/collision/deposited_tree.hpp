@@ -11,10 +11,10 @@
 
 namespace lamina {
 
-/// Finds boxes near a place among those deposited so far. A node of the tree bounds boxes that follow each
-/// other in the order of deposition, which are close to each other. So boxes that are not deposited yet are
-/// excluded by their index, and one immutable tree serves all threads. (A tree of FCL's collision objects
-/// would have to grow box by box, one tree per thread, and needs half a kilobyte for each box.)
+/// Finds boxes near a place among those deposited so far. A node of the tree bounds consecutive boxes in the
+/// order of deposition, which are close to each other. Boxes that are not deposited yet are excluded by their
+/// index: one immutable tree serves all threads. (A tree of FCL's collision objects would have to grow box by
+/// box, one tree per thread, and needs half a kilobyte for each box.)
 class DepositedTree {
  public:
   /// @param normal  normal of the layers [bed frame]

@@ -32,7 +32,7 @@ struct Extents {
   }
 };
 
-/// An oriented bounding box [mm, bed frame]: closer than `Extents` around a body that leans.
+/// An oriented bounding box [mm, bed frame]: tighter than `Extents` around a tilted body.
 struct TurnedBox {
   Point3 middle = Point3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< unit vectors of its axes, as columns

@@ -13,16 +13,17 @@
 
 namespace lamina {
 
-/// Cubic cells about a mesh that know whether triangles come into them. Of a closed mesh a cell without
-/// triangles lies on one side of it as a whole, so that the side is found once, when it is first asked for.
-/// Most boxes and points near a body are decided by that, without looking at a triangle. Answers are those of
-/// `SolidAngle`, and do not depend on what was asked before. Calls may come from several threads.
+/// Cubic cells about a mesh, each with the information whether triangles enter it. A cell without triangles
+/// lies as a whole on one side of a closed mesh; the side is computed at the first request. This decides most
+/// boxes and points near a body without testing a triangle. Answers are those of `SolidAngle`, and do not
+/// depend on earlier requests. Calls may come from several threads.
 class MeshCells {
  public:
   /// @param mesh  must outlive this
   explicit MeshCells(const Mesh& mesh);
 
-  /// Whether no triangle comes into a box; false may mean that it lies in many cells, or that one is near.
+  /// Whether no triangle enters a box; false may mean that the box covers many cells, or that a triangle is
+  /// near.
   bool isFarFrom(const Box3& box) const;
 
   /// As `SolidAngle::isWithin`; no point beyond the mesh's bounds is.

@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// Beads sorted into cells, so that those near a place are found in a time that does not grow with the number
-/// of beads: slices along z of the layers' frame, each with its cells in order.
+/// Beads sorted into cells: slices along z of the layers' frame, each with its cells in order. The time to
+/// find beads near a place does not grow with the number of beads.
 class BeadGrid {
  public:
   /// @param margin_mm  distance from its edge, in the plane of the layers, within which a bead must be found

@@ -18,8 +18,8 @@ namespace lamina {
 /// @throws InvalidInput if the placement is not known; as `readToolpathOnBed`
 MachineToolpath toolpathOfFile(const lamina_msgs::DriveToolpathGoal& goal, const MachineSettings& machine);
 
-/// How far the file of a goal is driven. Layers that are planned anew are no longer those of the file: it is
-/// not counted then, until the end.
+/// Progress in the file of a goal. Replanned layers are no longer those of the file: from then on waypoints
+/// are not counted, until the end.
 class DrivenFile {
  public:
   explicit DrivenFile(const MachineToolpath& placed) : toolpath_id_(placed.id), count_(placed.toolpath) {}
@@ -27,8 +27,8 @@ class DrivenFile {
   const std::string& toolpathId() const { return toolpath_id_; }
   const WaypointCount& count() const { return count_; }
 
-  /// What is driven from now on, with the waypoints of the file; null for anything else, as the way to the
-  /// start. It outlives that.
+  /// Sets the toolpath that is driven from now on, with the waypoints of the file; null for any other motion,
+  /// such as the approach. The toolpath must outlive its use.
   void follow(const DividedToolpath* driven) { driven_ = driven; }
   void see(const DriveStatus& status);
   void complete() { count_.complete(); }

@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// How far a toolpath is driven, in waypoints by the order of its file: each row of the table that `writeCsv`
-/// writes is one, and a closed path ends at its first waypoint again. It never goes back.
+/// Progress on a toolpath, in waypoints in the order of its file: each row that `writeCsv` writes is a
+/// waypoint, and a closed path ends at its first waypoint again. The count never goes back.
 class WaypointCount {
  public:
   explicit WaypointCount(const Toolpath& toolpath);
 
   std::uint64_t total() const { return total_; }
   std::uint64_t reached() const { return reached_; }
-  /// Of those that may be driven by now without another word: what is handed over to the controller.
+  /// Number of waypoints handed over to the controller, which may be driven without further orders.
   std::uint64_t handedOver() const { return handed_over_; }
 
   /// @param heading_for  [of the toolpath] the waypoint that is driven to; those before it are reached

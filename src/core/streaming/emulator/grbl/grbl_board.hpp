@@ -43,9 +43,9 @@ class EmulatedGrbl::Board {
   /// A line that is being run and has no answer yet.
   struct Pending {
     std::optional<Block> block;
-    bool needs_rest = false;  ///< whether it ends only when all motions have ended
-    bool pauses = false;      ///< whether the machine holds after that
-    double wait_s = 0.0;      ///< time that it takes after that
+    bool needs_rest = false;  ///< whether the line ends only when all motions have ended
+    bool pauses = false;      ///< whether the machine holds after the motions
+    double wait_s = 0.0;      ///< dwell after the motions
     std::optional<double> spindle;
     bool loses_ok = false;
     bool delays_ok = false;
@@ -93,7 +93,7 @@ class EmulatedGrbl::Board {
   std::deque<Block> blocks_;  ///< the first one runs
   double block_left_s_ = 0.0;
   double clock_s_ = 0.0;
-  double still_at_s_ = 0.0;  ///< time at which it has slowed down
+  double still_at_s_ = 0.0;  ///< time at which the machine has slowed down
   std::optional<Pending> pending_;
   std::optional<double> wait_until_s_;
 
@@ -112,8 +112,8 @@ class EmulatedGrbl::Board {
 
   // Faults.
   std::uint64_t arriving_ = 1;     ///< number of the line whose bytes arrive
-  std::size_t arrived_bytes_ = 0;  ///< number of its bytes that have arrived
-  char first_byte_ = '\n';         ///< its first byte
+  std::size_t arrived_bytes_ = 0;  ///< number of bytes of that line so far
+  char first_byte_ = '\n';         ///< first byte of that line
   std::optional<std::size_t> loses_at_;
   std::optional<std::size_t> changes_at_;
   std::uint64_t run_lines_ = 0;

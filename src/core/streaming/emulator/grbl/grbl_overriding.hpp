@@ -9,26 +9,25 @@
 
 namespace lamina {
 
-/// Overrides in grbl's way: bytes set flags as they arrive, and the flags take effect when grbl looks at
-/// them.
+/// Overrides as grbl implements them: a byte sets a flag when it arrives; `apply` carries out the flags.
 class GrblOverriding {
  public:
   const GrblPercents& percents() const { return percents_; }
 
   /// Receives a byte.
-  /// @return whether it is a byte for an override, and so not kept in the receive buffer
+  /// @return whether it is an override byte, which is not kept in the receive buffer
   bool note(char byte);
   /// Applies the bytes that have arrived since the last call.
   void apply();
   /// Resets all overrides, as at a restart.
   void reset();
-  /// The part of a report that states the overrides: "|Ov:100,100,100" in one of ten reports and in the next
-  /// one after a change, otherwise empty.
+  /// The part of a report that states the overrides: "|Ov:100,100,100" in one of ten reports and in the first
+  /// report after a change, otherwise empty.
   std::string takeReport();
 
  private:
   GrblPercents percents_;
-  std::set<char> bytes_;  ///< bytes since the last `apply`; equal ones count once
+  std::set<char> bytes_;  ///< bytes since the last `apply`; equal bytes count once
   int reports_left_ = 1;  ///< number of reports until overrides are reported again
 };
 

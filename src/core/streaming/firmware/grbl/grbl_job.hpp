@@ -27,7 +27,7 @@
 
 namespace lamina {
 
-/// Streams to grbl and its kin, which answer each line once, in order, and '?' at any time.
+/// Streams to firmware of the grbl family, which answers each line once, in order, and '?' at any time.
 class GrblJob final : public StreamJob {
  public:
   explicit GrblJob(StreamOrder order);
@@ -54,7 +54,7 @@ class GrblJob final : public StreamJob {
     Idle,      ///< nothing
     Starting,  ///< the machine to be idle and identified
     Locating,  ///< the position of a machine whose job is resumed
-    Checking,  ///< the check of the program's rest against the machine's abilities
+    Checking,  ///< the check of the remaining program against the machine's abilities
     Feeding,   ///< answers to the lines under way
     Proving,   ///< the answer to a question after the last line
     Resting,   ///< the end of all motions

@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// Changes the overrides of grbl to requested values. Of each override one byte is sent at a time, and the
-/// next one after the machine has reported the effect of the first. grbl may count several equal bytes as
-/// one, so that several at once would give an unknown value.
+/// Changes the overrides of grbl to requested values. For each override one byte is sent at a time; the next
+/// byte follows once the machine has reported the effect. grbl may count several equal bytes as one: sent at
+/// once, they would give an unknown value.
 class GrblOverrides {
  public:
   /// Requests a change.
@@ -22,7 +22,7 @@ class GrblOverrides {
   void hear(const GrblPercents& reported, double now);
   /// The bytes to send next; empty while a report is due.
   std::string takeBytes();
-  /// Whether a change is in progress, so that the machine should be polled more often.
+  /// Whether a change is in progress. The machine should then be polled more often.
   bool isUnderWay() const { return feed_ || rapid_ || spindle_; }
   /// Gives up if the machine reports no overrides for 5 s, or has not reached the values within 30 s.
   /// @return what was not reported, in words; empty if nothing is given up

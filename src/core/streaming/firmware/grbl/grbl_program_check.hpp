@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Checks a program against the abilities of a machine, so that unknown commands are named before anything
-/// moves. The check is done in pieces, as programs are long.
+/// Checks a program against the abilities of a machine: unknown commands are named before anything moves. The
+/// check is done in pieces, as programs are long.
 class GrblProgramCheck {
  public:
   /// @throws FileError if the program is gone

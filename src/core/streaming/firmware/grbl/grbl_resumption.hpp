@@ -18,9 +18,9 @@ struct GrblResumption {
   std::string refusal;  ///< why the line is not certain; empty if it is
 };
 
-/// Finds the line at whose end the machine stands, among those that may have been accepted last. grbl does
-/// not count lines. So the line is certain only if exactly one of these lines ends at the machine's position;
-/// lines after it that do not move may be run twice.
+/// Finds the line at whose end the machine stands, among the lines that may have been accepted last. grbl
+/// does not count lines: the line is certain only if exactly one of these lines ends at the machine's
+/// position. Later lines that do not move may be run twice.
 /// @param modes  the machine's answer to `$G`
 /// @param work   position of the idle machine in work coordinates [mm]
 /// @throws FileError if the program is gone

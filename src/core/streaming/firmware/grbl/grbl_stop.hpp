@@ -17,7 +17,8 @@ class GrblStop {
   /// Whether anything may still move.
   enum class Motion { Possible, EndedByAlarm };
 
-  /// @param timeout_s  half of it is for slowing down; the machine is then reset in any case
+  /// @param timeout_s  longest time for the stop; after half of it the machine is reset, even if it still
+  ///   moves
   GrblStop(Motion motion, double timeout_s, double now);
 
   void hear(const GrblReply& reply, double now);

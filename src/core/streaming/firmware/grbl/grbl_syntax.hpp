@@ -13,15 +13,15 @@ namespace lamina {
 /// @param longest  length of the longest line allowed [characters]; 0 for the longest of any firmware
 std::string defectForAllGrbl(std::string_view command, int longest);
 
-/// What this machine would refuse or misread in a command, as far as can be told without the lines before it;
-/// empty if nothing. For grblHAL and FluidNC, which boards extend, only what no board accepts is named.
+/// What this machine would refuse or misread in a command, judged without the lines before it; empty if
+/// nothing. Boards extend grblHAL and FluidNC: for these firmwares, only what no board accepts is named.
 std::string defectForGrbl(std::string_view command, const GrblMachine& machine);
 
 /// Whether grbl may report Idle during a command, as in a dwell or while a spindle comes up to speed; grbl
 /// runs no other command until its end.
 bool mayStandStill(std::string_view command);
 
-/// Whether a command turns a beam on at a constant power (M3), so that it stays on if no more lines arrive.
+/// Whether a command turns a beam on at a constant power (M3): the beam stays on if no more lines arrive.
 bool keepsLaserOn(std::string_view command);
 
 }  // namespace lamina

@@ -10,9 +10,8 @@
 
 namespace lamina {
 
-/// Lines sent and not yet answered, with their sizes. They are the most that can be in grbl's receive buffer.
-/// A question among them has an answer of its own before its ok, which is used to verify the count of
-/// answers.
+/// Lines sent and not yet answered, with their sizes. grbl's receive buffer can hold no other lines. A
+/// question has an answer of its own before its ok; this answer is used to verify the count of answers.
 class GrblWindow {
  public:
   struct Line {
@@ -28,7 +27,7 @@ class GrblWindow {
   /// Sets the greatest number of bytes sent and not yet answered.
   void setCapacity(std::size_t bytes) { capacity_ = bytes; }
   bool hasRoom(std::size_t bytes) const {
-    // What grbl has answered it has taken from its buffer, so that it reads a line that comes alone at once.
+    // grbl has removed answered lines from its buffer: it reads a line that is alone there at once.
     return empty() || bytes_ + bytes <= capacity_;
   }
 
@@ -37,7 +36,7 @@ class GrblWindow {
     if (line.number == 0) ++questions_;
     lines_.push_back(std::move(line));
   }
-  /// Evaluates the answer to a question, which comes before its ok.
+  /// Evaluates the answer to a question, which precedes the ok.
   /// @return how the answer contradicts the count, in words; empty if it agrees
   std::string hearAnswer() {
     if (empty()) return {};  // somebody else's question
@@ -47,7 +46,7 @@ class GrblWindow {
     return {};
   }
   /// Evaluates an ok; to be called before `take`.
-  /// @return how it contradicts the count, in words; empty if it agrees
+  /// @return how the ok contradicts the count, in words; empty if it agrees
   std::string hearOk() {
     if (empty()) return "a line was answered that was not sent";
     if (front().number == 0 && !std::exchange(is_question_answered_, false))

@@ -25,7 +25,7 @@ class GrblWords {
   const GrblWord* begin() const { return words_.data(); }
   const GrblWord* end() const { return words_.data() + count_; }
 
-  /// @return nothing if the line is anything but letters with numbers, or has more than 32 of them
+  /// @return nothing if the line is no sequence of letters with numbers, or has more than 32 words
   static std::optional<GrblWords> of(std::string_view line);
 
  private:

@@ -19,9 +19,9 @@ namespace lamina {
 ///
 /// First it empties the firmware's line buffer, which may hold the beginning of a line of the earlier
 /// session. Backspaces erase what they reach; an end of line makes the rest a line without checksum, which is
-/// refused, or completes a line that lacked only its end. Then it asks for the firmware's name, whose answer
-/// comes after the oks of all lines that were still queued. Last it sends a line with a wrong number, to
-/// which the firmware replies by requesting the line that it lacks.
+/// refused, or completes a line that lacked only its end. Then it asks for the firmware's name; the answer
+/// follows the oks of all lines that were still queued. Finally it sends a line with a wrong number; the
+/// firmware replies by requesting the line that it lacks.
 class LineEnquiry {
  public:
   LineEnquiry(const StreamOrder& order, std::shared_ptr<const MarlinFirmware> firmware);

@@ -9,18 +9,18 @@
 namespace lamina {
 
 /// Detects a reset of the firmware whose greeting was missed: the firmware then requests lines that it must
-/// have run already. An ok alone does not prove that a line was accepted, as noise may have made one of the
-/// answer to a refused line.
+/// have run already. An ok alone does not prove that a line was accepted, as noise may have turned the answer
+/// to a refused line into an ok.
 class LineProof {
  public:
-  /// States that the firmware requests this line, so that it has accepted those before.
+  /// States that the firmware requests this line: it has accepted all lines before.
   void asked(std::uint64_t line);
   /// States that the ok of a line has arrived.
   void acknowledged();
-  /// Allows for that many oks that were counted for lines which the firmware has not run.
+  /// Allows for `stray_oks` oks that were counted for lines which the firmware has not run.
   void doubt(int stray_oks);
-  /// Evaluates a reply. One that noise may have made of a request to resend is allowed for, as the ok after
-  /// it then counts for a line.
+  /// Evaluates a reply. Allows for a reply that may be a request to resend garbled by noise: the ok after the
+  /// request is then counted for a line.
   void hear(const FirmwareReply& reply);
 
   /// Whether the firmware requests a line that it must have run already: it was reset, or noise has changed

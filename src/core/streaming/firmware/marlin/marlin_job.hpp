@@ -55,7 +55,7 @@ class MarlinJob final : public StreamJob {
     Enquiring,    ///< the last line of an unfinished job that the firmware has
     Identifying,  ///< the name of the firmware
     Numbering,    ///< the firmware to count lines from base_ on, and to report so
-    Confirming,   ///< the answers due from before, so that none is taken for that of a line
+    Confirming,   ///< the answers due from before, so that none is counted for a line
     Reporting,    ///< the ok to the first of reports_
     Feeding,      ///< answers to the lines under way
     Changing,     ///< the ok to the first of unnumbered_
@@ -72,7 +72,7 @@ class MarlinJob final : public StreamJob {
   void onKind(const FirmwareReply& reply, double now);
   void onIdentity(const FirmwareReply& reply, double now);
   void onEnded(const FirmwareReply& reply, double now);
-  /// The machine holds the job itself while it waits for a person, and goes on with it afterwards.
+  /// Follows the machine's waits for a person. The job is held during a wait, and resumes afterwards.
   void followPerson(const FirmwareReply& reply, double now) {
     const PersonWait::News news = person_.hear(reply);
     if (news == PersonWait::News::None || isStopping()) return;
@@ -83,10 +83,10 @@ class MarlinJob final : public StreamJob {
     }
     record_.status.message = record_.status.wait = person_.advice(reply.text);
     if (record_.status.state == PackmlState::Execute && pause(now)) is_paused_by_machine_ = true;
-    // The lines under way wait behind the one that waits.
+    // The lines under way are queued behind the line that waits.
     if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
   }
-  /// Makes a machine go on that waits for a person. The answer comes behind those to the lines under way.
+  /// Ends the machine's wait for a person. The answer follows the answers to the lines under way.
   void releaseFromWait() {
     record_.status.wait.clear();
     if (!person_.release()) return;
@@ -95,7 +95,8 @@ class MarlinJob final : public StreamJob {
       resend_.sent({feed_.next() - 1, command.size() + 1, false, false, false});
     }
   }
-  /// As `releaseFromWait`, of the last line: no other is under way, and the job is not held any more.
+  /// As `releaseFromWait`, for a wait of the last line: no other line is under way, and the job is no longer
+  /// held.
   /// @return whether the machine waits
   bool releaseFromLastWait() {
     if (record_.status.state != PackmlState::Completing || record_.status.wait.empty()) return false;
@@ -140,7 +141,7 @@ class MarlinJob final : public StreamJob {
   void timeOut(double now);
 
   bool isStopping() const { return record_.isStopping(); }
-  /// Whether what the machine says may be of a line of the program.
+  /// Whether a message of the machine may concern a line of the program.
   bool isAnsweringLines() const {
     return !isStopping() && (phase_ == Phase::Feeding || phase_ == Phase::Probing);
   }
@@ -148,7 +149,7 @@ class MarlinJob final : public StreamJob {
     abort({code, what + record_.whereItStands()}, now);
   }
   void prepareSafeStop(double now);
-  /// All motions have ended; the reports are being turned off.
+  /// Whether all motions have ended and the reports are being turned off.
   bool isAtRest() const {
     return phase_ == Phase::Reporting && record_.status.state == PackmlState::Completing;
   }

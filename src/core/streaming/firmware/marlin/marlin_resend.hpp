@@ -16,28 +16,29 @@ namespace lamina {
 /// Lines sent to firmware that requests missing ones again, and its requests: which lines a request confirms,
 /// for how long nothing may be sent after it, and whether it can be followed.
 ///
-/// `MarlinJob` asks it what to do and goes back to the line (`onResend`); `job/line_feed` has the lines.
+/// `MarlinJob::onResend` asks this class what to do and goes back to the line; `job/line_feed` keeps the
+/// lines.
 ///
-/// A probe is a line that the firmware must refuse, so that it names the line for which it waits.
+/// A probe is a line that the firmware must refuse: the refusal names the line for which it waits.
 class MarlinResend {
  public:
   enum class Contradiction { None, First, Repeated };
 
   explicit MarlinResend(const StreamSettings& settings);
 
-  /// States that the firmware waits for this line, and that none is under way.
+  /// States that the firmware waits for this line, and that no line is under way.
   void beginAt(std::uint64_t line);
   /// Forgets the lines sent; their answers are no longer waited for.
   void forget();
 
   bool empty() const { return sent_.empty(); }
   bool hasBlocking() const { return sent_.hasBlocking(); }
-  /// Whether a line of that many bytes may be sent.
+  /// Whether a line of `bytes` bytes may be sent.
   bool hasRoom(std::size_t bytes) const;
   void sent(const SentLine& line);
   /// Evaluates an ok.
   /// @param named  number in the ok, if that line was sent
-  /// @return the line up to which all are done; nothing if it is not known
+  /// @return the line up to which all lines are done; nothing if it is not known
   std::optional<std::uint64_t> acknowledge(const std::optional<std::uint64_t>& named);
   /// States that the acknowledged line was not done before.
   void proven() { proof_.acknowledged(); }
@@ -47,7 +48,7 @@ class MarlinResend {
   void probed() { ++unanswered_probes_; }
   bool hasUnansweredProbe() const { return unanswered_probes_ > 0; }
 
-  /// Begins a wait, if that many answers are due, any of which may be lost.
+  /// Begins a wait for `answers` due answers, any of which may be lost; no wait if 0.
   void waitFor(int answers, double now) { wait_until_ = answers > 0 ? now + settings_.settle_s : 0.0; }
   void waitNoLonger() { wait_until_ = 0.0; }
   /// Whether nothing may be sent.
@@ -62,10 +63,10 @@ class MarlinResend {
   /// Evaluates any reply.
   /// @return whether it is the ok that follows a request
   bool hear(const FirmwareReply& reply, double now);
-  /// Counts a request, for whatever line.
+  /// Counts a request for any line.
   /// @return whether it answers a probe
   bool takeRequest();
-  /// Whether the request before was for the same line.
+  /// Whether the previous request was for the same line.
   bool isRepeated(std::uint64_t wanted) const { return wanted == rewound_to_; }
   /// Compares a request with what the firmware must have accepted already.
   /// @param taken  the last line acknowledged
@@ -90,7 +91,7 @@ class MarlinResend {
   LineProof proof_;
   bool expects_ok_of_request_ = false;  ///< whether the firmware sends an ok after a request
   bool is_asking_again_ = false;  ///< whether a request that contradicts what is known is being verified
-  /// Whether a line is sent despite a full window; its lines were discarded, so that it would never empty.
+  /// Whether a line is sent despite a full window: its lines were discarded, and it would never empty.
   bool must_send_one_ = false;
   /// Time until which nothing is sent, as stale lines may be answered; 0 if none is stale.
   double wait_until_ = 0.0;

@@ -10,13 +10,13 @@
 
 namespace lamina {
 
-/// Whether firmware says, in its answer to `M115`, that it hears `M108` while it waits: that it was built
-/// with EMERGENCY_PARSER.
+/// Whether the answer to `M115` states that the firmware acts on `M108` while it waits: it was built with
+/// EMERGENCY_PARSER.
 inline bool saysThatItHearsAtOnce(const FirmwareReply& reply) {
   return contains(reply.text, "Cap:EMERGENCY_PARSER:1");
 }
 
-/// A wait of the machine for a person, as in M0 and M600, which it reports over and over while it lasts.
+/// A wait of the machine for a person, as in M0 and M600. The machine reports it repeatedly.
 class PersonWait {
  public:
   enum class News { None, Begun, Ended };
@@ -33,15 +33,15 @@ class PersonWait {
     return is_under_way_ ? News::Begun : News::Ended;
   }
 
-  /// What the machine waits for and what ends that, for people.
+  /// Message on what the machine waits for and what ends the wait.
   std::string advice(const std::string& said) const {
     return "the machine waits for a person: \"" + said + "\"; " +
            (hears_at_once_ ? "resume makes it go on (M108)"
                            : "press its button, since it hears no command meanwhile (its firmware was built "
                              "without EMERGENCY_PARSER)");
   }
-  /// Ends the wait as far as it is known here: a machine that still waits says so again.
-  /// @return whether the machine is to be told so, since it waits and hears it
+  /// Marks the wait as ended; a machine that still waits reports so again.
+  /// @return whether to send `M108`: the machine was waiting and acts on it
   bool release() { return std::exchange(is_under_way_, false) && hears_at_once_; }
 
  private:

@@ -15,7 +15,7 @@ struct SentLine {
   std::size_t bytes = 0;
   bool is_blocking = false;  ///< may take the machine long
   bool is_resent = false;    ///< was sent before
-  /// Sent after a lost line, so that it is refused, or was discarded without an answer.
+  /// Sent after a lost line: it is refused, or was discarded without an answer.
   bool is_stale = false;
 };
 
@@ -44,8 +44,8 @@ class SentLines {
   /// Counts a repeated request as the refusal of the first stale line.
   /// @return false if no line is stale
   bool absorbRefusal();
-  /// Evaluates a request for line `wanted`: the firmware has accepted the lines before it, and those sent
-  /// from it on are stale.
+  /// Evaluates a request for line `wanted`: the firmware has accepted all lines before it; the lines sent
+  /// from `wanted` on are stale.
   void refuse(std::uint64_t wanted);
   /// Removes the stale lines, to which no answer will come.
   void dropStale();

@@ -11,8 +11,8 @@
 namespace lamina {
 
 /// Commands without line numbers, with ends of lines, that stop the machine. Firmware that is heating may not
-/// answer for minutes, but runs these as soon as it can. They fit into its receive buffer; those against the
-/// greatest danger come first.
+/// answer for minutes, but runs these as soon as it can. They fit into its receive buffer, ordered by the
+/// danger that they avert, greatest first.
 std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                        const StreamSettings& settings);
 
@@ -20,8 +20,8 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
-/// Commands that switch off the chamber and each tool that a report of temperatures names, for a machine of
-/// which it is not known what its program has used.
+/// Commands that switch off the chamber and each tool that a temperature report names, for a machine whose
+/// program's outputs are not known.
 std::vector<std::string> reportedHeatersOff(const std::string& report);
 
 /// Whether a report that states targets has none above 0.
@@ -33,7 +33,7 @@ bool isSafe(const ReportedTemperatures& temperatures, const StreamSettings& sett
 /// Commands that switch on the reports of the settings, in reverse order.
 std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings);
 
-/// Commands that switch off the reports of the settings, so that the machine sends none after the job.
+/// Commands that switch off the reports of the settings: the machine sends none after the job.
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings);
 
 }  // namespace lamina

@@ -38,10 +38,10 @@ class UnnumberedCommands {
   }
   void lineSent() { is_rest_added_ = false; }
 
-  /// States that the first one was answered.
+  /// States that the first command was answered.
   void answered() { commands_.pop_front(); }
-  /// States that the first one will get no answer. The questions after it are dropped; a wait for rest may be
-  /// added again.
+  /// States that the first command will get no answer. The questions after it are dropped; a wait for rest
+  /// may be added again.
   /// @return message on the command
   std::string lose() {
     const Command lost = commands_.front();

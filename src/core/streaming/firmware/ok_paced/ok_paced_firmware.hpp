@@ -60,7 +60,7 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   /// @param lines  of the firmware after the question, up to the ok
   virtual OpeningVerdict judge(const std::string& question, const std::vector<std::string>& lines) const = 0;
 
-  /// A harmless command that makes the firmware send this number, and on a lossy link its position too.
+  /// A harmless command that makes the firmware send this number and, on a lossy link, its position.
   virtual std::string question(std::uint64_t number, LinkKind link) const = 0;
   /// Whether the firmware may be silent for long while it runs a command.
   virtual bool isBlocking(std::string_view command) const = 0;
@@ -74,7 +74,7 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   virtual std::string resumption() const { return {}; }
 
   /// Commands that switch off all that heats or turns.
-  /// @param temperatures  the last report of these, which names the tools; may be empty
+  /// @param temperatures  the last temperature report, which names the tools; may be empty
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;
   /// A command that halts the machine at once, even while it waits; empty if there is none.
   virtual std::string emergencyStop() const { return {}; }

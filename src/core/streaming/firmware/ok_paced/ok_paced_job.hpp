@@ -99,7 +99,7 @@ class OkPacedJob final : public StreamJob {
   void onLocated(double now);
   void decide(double now);
   void sendChanges();
-  /// Klipper that has not ended its pause would not pause again.
+  /// Ends Klipper's own pause: Klipper does not pause again before.
   void endPauseOfMachine() {
     const std::string command = firmware_->resumption();
     if (std::exchange(is_paused_by_machine_, false) && !command.empty()) waiting_changes_.push_back(command);

@@ -39,7 +39,7 @@ class OkPacedStop {
   /// Evaluates any report, with or without heaters.
   void hear(const PacedReply& reply);
   /// States that the machine still responds. A machine that waits for a temperature reads the stop only once
-  /// it is reached.
+  /// the temperature is reached.
   /// @return what the user should know about the delay; empty if nothing
   std::string prolong(double now);
 
@@ -61,7 +61,7 @@ class OkPacedStop {
   Stage stage_ = Stage::SwitchOff;
   bool is_emergency_ = false;            ///< whether an emergency stop was sent
   std::optional<bool> are_heaters_off_;  ///< as reported since the commands were sent last
-  std::string temperatures_;             ///< the last report of these
+  std::string temperatures_;             ///< the last temperature report
   double began_s_ = 0.0;
   double give_up_s_ = 0.0;  ///< time to give up, unless the machine still responds
   double latest_s_ = 0.0;   ///< time to give up in any case

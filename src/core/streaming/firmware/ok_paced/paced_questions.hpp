@@ -34,7 +34,7 @@ class PacedQuestions {
   /// Evaluates an answer.
   /// @return whether it belongs to the last question
   bool hear(const SyncAnswer& answer) {
-    // The questions before this one have no more oks than they are; one more is that of the line.
+    // Each earlier question has at most one ok; one ok more is that of the line.
     const std::uint64_t first = last_ - asked_ + 1;
     if (answer.question >= first && oks_ > answer.question - first) is_line_answered_ = true;
     return answer.question == last_;

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// The commands that request temperatures and position, at the shorter of their intervals.
+/// The commands that request temperatures and position, at the shorter of the two intervals.
 class ReportPoll {
  public:
   explicit ReportPoll(const StreamSettings& settings) {

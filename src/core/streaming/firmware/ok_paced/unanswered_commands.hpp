@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Counts commands that firmware has not answered yet; it answers in order. The answer to a question stands
-/// for lost answers to the commands before it.
+/// Counts commands that firmware, which answers in order, has not answered yet. The answer to a question
+/// replaces lost answers to the commands before it.
 class UnansweredCommands {
  public:
   void sent() { ++sent_; }
