@@ -92,6 +92,11 @@ TEST(MachineBodies, ExtentsAreThoseOfTheSolids) {
   EXPECT_NEAR(extent(ConeShape{2, 6}, Point3::UnitX()), 2.0, 1e-12);
 }
 
+TEST(MachineBodies, ABoundingSphereReachesTheFarthestCorner) {
+  EXPECT_NEAR(boundingRadius(BoxShape{{2, 4, 4}}), 3.0, 1e-12);
+  EXPECT_NEAR(boundingRadius(ConeShape{3, 8}), std::sqrt(9.0 + 9.0 + 16.0), 1e-12);  // of the box round it
+}
+
 TEST(MachineBodies, AMeshOrASizeOfNothingIsRefused) {
   EXPECT_EQ(failureOf(machineWith("<collision><geometry><mesh filename=\"a.stl\"/></geometry></collision>")),
             "collision of link 'nozzle' is the mesh 'a.stl'; expected file:// and an absolute path");

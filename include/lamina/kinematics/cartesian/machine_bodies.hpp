@@ -63,4 +63,7 @@ std::vector<MachineBody> movingBodies(const CartesianMachine& machine);
 /// @return [mm]
 double extent(const BodyShape& shape, const Point3& direction);
 
+/// Radius of a sphere about the origin of a shape's frame that contains the shape [mm].
+double boundingRadius(const BodyShape& shape);
+
 }  // namespace lamina

@@ -41,6 +41,13 @@ double extent(const BodyShape& shape, const Point3& direction) {
   return std::visit([&](const auto& solid) { return extentOf(solid, direction); }, shape);
 }
 
+double boundingRadius(const BodyShape& shape) {
+  Point3 corner;
+  for (int i = 0; i < 3; ++i)
+    corner[i] = std::max(extent(shape, Point3::Unit(i)), extent(shape, -Point3::Unit(i)));
+  return corner.norm();
+}
+
 std::vector<MachineBody> movingBodies(const CartesianMachine& machine) {
   const auto model = parseMachine(machine.urdf);
   const LinkMotion bed = motionOf(*model, "bed");

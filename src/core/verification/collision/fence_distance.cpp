@@ -14,14 +14,6 @@ namespace {
 
 constexpr const char* kFences = "cell_bodies";  // link of a cell's bodies
 
-/// Farthest point of a shape from the origin of its frame.
-double farthestOf(const BodyShape& shape) {
-  Point3 corner;
-  for (int i = 0; i < 3; ++i)
-    corner[i] = std::max(extent(shape, Point3::Unit(i)), extent(shape, -Point3::Unit(i)));
-  return corner.norm();
-}
-
 /// A piece of a link and a fence.
 struct FencedPiece {
   const LinkBody* piece = nullptr;
@@ -50,7 +42,7 @@ class FenceLook {
       for (const LinkBody& body : group.bodies) {
         if (areUnchecked(bodies, body.link, kFences)) continue;
         for (std::size_t f = 0; f < fences.size(); ++f)
-          pieces_.push_back({&body, fences[f], solids_.size(), f, farthestOf(body.shape)});
+          pieces_.push_back({&body, fences[f], solids_.size(), f, boundingRadius(body.shape)});
         solids_.emplace_back(body.shape);
       }
     }

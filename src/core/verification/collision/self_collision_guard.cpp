@@ -86,14 +86,6 @@ std::string namesOf(const RigidGroup& group) {
   return names;
 }
 
-/// Radius about the origin of its frame.
-double radiusOf(const BodyShape& shape) {
-  Point3 corner;
-  for (int i = 0; i < 3; ++i)
-    corner[i] = std::max(extent(shape, Point3::Unit(i)), extent(shape, -Point3::Unit(i)));
-  return corner.norm();
-}
-
 std::optional<Eigen::Index> rotaryJoint(const std::vector<DrivenJoint>& joints, const std::string& name) {
   for (std::size_t j = 0; j < joints.size(); ++j)
     if (joints[j].name == name && joints[j].kind == JointKind::Rotary) return static_cast<Eigen::Index>(j);
@@ -197,7 +189,7 @@ struct CollisionTable::Filling {
     const Point3 second_axis = links.at(pair.axis_links[1]).translation();
     for (const LinkBody& body : pair.far->bodies) {
       const Eigen::Isometry3d pose = links.at(body.link) * body.link_from_body;
-      const double radius = radiusOf(body.shape);
+      const double radius = boundingRadius(body.shape);
       const double by_second = half_row * ((pose.translation() - second_axis).norm() + radius);
       const double by_first = half_column * ((pose.translation() - first_axis).norm() + radius + by_second);
       if (meetsNear(Solid(grown(body.shape, by_first + by_second)), pose, links)) return false;
