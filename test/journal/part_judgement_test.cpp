@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/scratch_folder.hpp"
 #include "lamina/journal/execution_log.hpp"
@@ -36,6 +37,21 @@ struct TwoParts {
   }
   Parsed record(std::int64_t job) { return Parsed::parse(readRecord(journal, store, job).record.json); }
 };
+
+TEST(PartJudgement, DoesNotMakeAChangedRecordGood) {
+  TwoParts made;
+  const ExecutionLog log(made.journal);
+  const std::string path = made.store.pathOf(log.part(log.ofJob(1)->id)->record);
+  writeFile(path, R"({"verdict": {"value": "good"}})");
+  try {
+    judgePart(made.journal, made.store, {1, "scrap", "anna", "", 20.0});
+    FAIL() << "a record that somebody has changed is given a digest";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(std::string(error.what()).find("the record of part 1-1 was changed since it was kept"), 0U)
+        << error.what();
+  }
+  EXPECT_FALSE(readRecord(made.journal, made.store, 1).faults.empty());
+}
 
 TEST(PartJudgement, IsInJournalRecordAndAudit) {
   TwoParts made;

@@ -23,6 +23,13 @@ Eigen::Isometry3d nozzleAt(const Point3& tip, double lean_rad = 0.0) {
   return nozzle;
 }
 
+LaidSearch searchFrom(double from_mm) {
+  LaidSearch search;
+  search.reported_mm = from_mm;
+  search.tolerance_mm = 0.15;
+  return search;
+}
+
 TEST(LaidBeads, MeasuresBeadsAndNoTravels) {
   EXPECT_DOUBLE_EQ(squareAndLine().total(), 50.0);
   EXPECT_DOUBLE_EQ(squareAndLine().before({0, 0, 0}), 0.0);
@@ -58,7 +65,7 @@ TEST(LaidBeads, KnowsTheBeadThatGoesOn) {
 
 TEST(LaidBeads, FindsWhereTheNozzleStands) {
   const auto find = [](const Point3& tip, double from_mm) {
-    return squareAndLine().find(nozzleAt(tip), from_mm, 0.15);
+    return squareAndLine().find(nozzleAt(tip), searchFrom(from_mm));
   };
   EXPECT_NEAR(find({10, 4, 0.2}, 0.0).value(), 14.0, 1e-9);
   EXPECT_NEAR(find({10.1, 4, 0.2}, 0.0).value(), 14.0, 1e-9) << "beside it";
@@ -69,14 +76,29 @@ TEST(LaidBeads, FindsWhereTheNozzleStands) {
   EXPECT_NEAR(find({4, 0, 0.39}, 0.0).value(), 44.0, 1e-9);
   // On the travel, with the square laid.
   EXPECT_NEAR(find({0, 0, 0.3}, 30.0).value(), 40.0, 1e-9);
-  EXPECT_FALSE(squareAndLine().find(nozzleAt({10, 4, 0.2}, 0.06), 0.0, 0.15)) << "another tool axis";
-  EXPECT_TRUE(squareAndLine().find(nozzleAt({10, 4, 0.2}, 0.04), 0.0, 0.15));
+  EXPECT_FALSE(squareAndLine().find(nozzleAt({10, 4, 0.2}, 0.06), searchFrom(0.0))) << "another tool axis";
+  EXPECT_TRUE(squareAndLine().find(nozzleAt({10, 4, 0.2}, 0.04), searchFrom(0.0)));
 }
 
-// The square begins and ends there, and the line of the next layer is as near.
-TEST(LaidBeads, TakesTheEarliestOfPlacesThatAreAsNear) {
-  EXPECT_NEAR(squareAndLine().find(nozzleAt({0, 0, 0.2}), 0.0, 0.15).value(), 0.0, 1e-9);
-  EXPECT_NEAR(squareAndLine().find(nozzleAt({0, 0, 0.2}), 20.0, 0.15).value(), 40.0, 1e-9);
+TEST(LaidBeads, FindNoPlaceWhereTwoAreAsNear) {
+  // The square begins and ends there.
+  EXPECT_FALSE(squareAndLine().find(nozzleAt({0, 0, 0.2}), searchFrom(0.0)));
+  EXPECT_NEAR(squareAndLine().find(nozzleAt({0, 0, 0.2}), searchFrom(20.0)).value(), 40.0, 1e-9);
+  // Between two layers: 0.11 mm above one and 0.09 mm below the other.
+  EXPECT_FALSE(squareAndLine().find(nozzleAt({4, 0, 0.31}), searchFrom(0.0)));
+}
+
+TEST(LaidBeads, FindNothingBeyondTheSearch) {
+  LaidSearch search = searchFrom(10.0);
+  search.ahead_mm = 3.0;
+  EXPECT_FALSE(squareAndLine().find(nozzleAt({10, 4, 0.2}), search)) << "after 14 mm";
+  search.ahead_mm = 5.0;
+  EXPECT_NEAR(squareAndLine().find(nozzleAt({10, 4, 0.2}), search).value(), 14.0, 1e-9);
+  // A tool that was lifted from a layer to a later one.
+  search.ahead_mm = 100.0;
+  EXPECT_NEAR(squareAndLine().find(nozzleAt({4, 0, 0.4}), search).value(), 44.0, 1e-9);
+  search.most_rise_mm = 0.15;
+  EXPECT_FALSE(squareAndLine().find(nozzleAt({4, 0, 0.4}), search));
 }
 
 }  // namespace

@@ -143,17 +143,21 @@ TEST(TrajectoryFeeder, StartsItsProcessOnABeadAsAtAStart) {
   settings.process.wait_before_s = 0.3;
   settings.process.laser_on_lead_s = 0.2;
   settings.process.wire_on_lead_s = 0.1;
-  const TrajectoryFeeder feeder(timedGantry(trajectoryFeederLine(), settings), {}, 12.0);
-  const std::vector<ProcessEvent> events = feeder.events();
-  ASSERT_GE(events.size(), 3U);
-  EXPECT_EQ(events[0].channel, ProcessChannel::Gas);
-  EXPECT_NEAR(events[0].time_s, 0.0, 1e-9);
-  EXPECT_EQ(events[1].channel, ProcessChannel::Laser);
-  EXPECT_NEAR(events[1].time_s, 0.7 - 0.2, 1e-9);
-  EXPECT_EQ(events[2].channel, ProcessChannel::Wire);
-  EXPECT_NEAR(events[2].time_s, 0.7 - 0.1, 1e-9);
-  EXPECT_EQ(feeder.at(0.7).velocity.norm(), 0.0);
-  EXPECT_GT(feeder.at(0.8).velocity.norm(), 0.0);
+  // Amid a motion, and at the corner of a bead.
+  for (const auto& [toolpath, from_mm] :
+       {std::pair(trajectoryFeederLine(), 12.0), std::pair(test::twoLayers(), 10.0)}) {
+    const TrajectoryFeeder feeder(timedGantry(toolpath, settings), {}, from_mm);
+    const std::vector<ProcessEvent> events = feeder.events();
+    ASSERT_GE(events.size(), 3U);
+    EXPECT_EQ(events[0].channel, ProcessChannel::Gas);
+    EXPECT_NEAR(events[0].time_s, 0.0, 1e-9);
+    EXPECT_EQ(events[1].channel, ProcessChannel::Laser);
+    EXPECT_NEAR(events[1].time_s, 0.7 - 0.2, 1e-9) << from_mm;
+    EXPECT_EQ(events[2].channel, ProcessChannel::Wire);
+    EXPECT_NEAR(events[2].time_s, 0.7 - 0.1, 1e-9) << from_mm;
+    EXPECT_EQ(feeder.at(0.7).velocity.norm(), 0.0);
+    EXPECT_GT(feeder.at(0.8).velocity.norm(), 0.0);
+  }
 }
 
 TEST(TrajectoryFeeder, PausesAndChangesItsSpeedWhereItBegan) {

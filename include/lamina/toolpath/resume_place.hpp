@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -26,7 +27,7 @@ void describe(SettingsSchema& schema, ToolpathResumeSettings& settings);
 struct ResumePlace {
   double begin_mm = 0.0;      ///< what was laid before is not laid again
   double laid_mm = 0.0;       ///< up to where the nozzle stands, or else what was reported last
-  bool is_found = false;      ///< whether the nozzle stands on the toolpath, so that the place is proven
+  bool is_found = false;      ///< whether the nozzle stands on the toolpath, near what was reported
   WaypointIndex heading_for;  ///< where it begins
   double total_mm = 0.0;
   double unreported_mm3 = 0.0;  ///< laid after what was reported last, as planned
@@ -34,11 +35,19 @@ struct ResumePlace {
   bool isAllLaid() const;
 };
 
-/// Where it is resumed: `overlap_mm` before where the nozzle came to rest on the toolpath, or before what was
-/// reported last if it is not there; never before the bead begins.
-/// @param reported_mm  what was reported last as laid
-/// @param nozzle       where it came to rest, in the part frame [mm]; nothing if that is not known
-ResumePlace resumePlace(const LaidBeads& beads, double reported_mm,
+/// What was reported last of a job, and how far the machine may be from it. All lengths are of beads [mm].
+struct ReportedProgress {
+  double laid_mm = 0.0;
+  double behind_mm = 0.0;                                     ///< by which the machine may trail the report
+  double ahead_mm = std::numeric_limits<double>::infinity();  ///< by which it may have gone beyond the report
+  double most_rise_mm = std::numeric_limits<double>::infinity();  ///< as in `LaidSearch`
+};
+
+/// Where a job is resumed: `overlap_mm` before the place of the toolpath where the nozzle came to rest. If
+/// the nozzle shows no such place, `overlap_mm` before the least that was laid by the report. Never before
+/// the bead begins.
+/// @param nozzle  its pose at rest, in the part frame [mm]; nothing if that is not known
+ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported,
                         const std::optional<Eigen::Isometry3d>& nozzle,
                         const ToolpathResumeSettings& settings);
 

@@ -6,6 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/sha256.hpp"
 #include "lamina/journal/execution_log.hpp"
 #include "lamina/journal/part_record.hpp"
 
@@ -36,7 +37,12 @@ FoundPart partOf(CellJournal& journal, std::int64_t job) {
 }
 
 OrderedJson recordJson(const ArtefactStore& store, const PartRow& part) {
-  OrderedJson json = OrderedJson::parse(readFile(store.pathOf(part.record)), nullptr, false);
+  const std::string text = readFile(store.pathOf(part.record));
+  if (sha256Of(text) != part.record.sha256)
+    throw InvalidInput("the record of part " + part.serial +
+                       " was changed since it was kept: its SHA-256 is " + sha256Of(text) + "; expected " +
+                       part.record.sha256);
+  OrderedJson json = OrderedJson::parse(text, nullptr, false);
   if (!json.is_object())
     throw InvalidInput("the record of part " + part.serial + " is no JSON object any more");
   return json;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
@@ -14,6 +13,7 @@ namespace {
 
 constexpr double kSameLength = 1e-6;  // mm: what sums of lengths may differ by
 constexpr double kAsNear = 0.02;      // mm
+constexpr double kApart = 1.0;        // mm of bead by which two places differ
 
 Point3 axisOf(const Path& path, std::size_t waypoint) {
   return path.orientation.at(waypoint) * Point3::UnitZ();
@@ -38,7 +38,10 @@ LaidBeads::LaidBeads(const Toolpath& toolpath) {
         const double area_mm2 = crossSection(path.bead.at(end));
         motions_.push_back(
             {{l, p, end}, path.points[m], path.points[end], axisOf(path, m), axisOf(path, end), area_mm2});
-        if (area_mm2 > 0.0) sum_mm += (path.points[end] - path.points[m]).norm();
+        if (area_mm2 > 0.0) {
+          sum_mm += (path.points[end] - path.points[m]).norm();
+          greatest_feed_mm_s_ = std::max(greatest_feed_mm_s_, path.feed_mm_s.at(end));
+        }
         laid_.push_back(sum_mm);
       }
     }
@@ -82,27 +85,47 @@ WaypointIndex LaidBeads::headingFor(double length_mm) const {
   return motions_[std::min(motionAt(length_mm), motions_.size() - 1)].end;
 }
 
-std::optional<double> LaidBeads::find(const Eigen::Isometry3d& nozzle, double from_mm,
-                                      double tolerance_mm) const {
+std::vector<LaidBeads::Candidate> LaidBeads::candidates(const Eigen::Isometry3d& nozzle,
+                                                        const LaidSearch& search) const {
   const Point3 tip = nozzle.translation();
   const Point3 axis = nozzle.linear() * Point3::UnitZ();
-  double nearest_mm = std::numeric_limits<double>::infinity();
-  std::optional<double> found;
-  const auto first = std::lower_bound(laid_.begin(), laid_.end(), from_mm - kSameLength);
+  const double from_mm = search.reported_mm - search.behind_mm - kSameLength;
+  const double to_mm = search.reported_mm + search.ahead_mm + kSameLength;
+  std::vector<Candidate> near;
+  if (motions_.empty()) return near;
+  const std::size_t last = std::min(motionAt(search.reported_mm), motions_.size() - 1);
+  const Motion& reported = motions_[last];
+  const double begin_mm = last == 0 ? 0.0 : laid_[last - 1];
+  const double length_mm = laid_[last] - begin_mm;
+  const double part =
+      length_mm > 0.0 ? std::clamp((search.reported_mm - begin_mm) / length_mm, 0.0, 1.0) : 1.0;
+  const Point3 reported_at = reported.from + part * (reported.to - reported.from);
+  const auto first = std::lower_bound(laid_.begin(), laid_.end(), from_mm);
   for (auto i = static_cast<std::size_t>(first - laid_.begin()); i < motions_.size(); ++i) {
     const Motion& motion = motions_[i];
+    const double start_mm = i == 0 ? 0.0 : laid_[i - 1];
+    if (start_mm > to_mm) break;
     const double share = nearestShare(motion.from, motion.to, tip);
-    const double off_mm = (motion.from + share * (motion.to - motion.from) - tip).norm();
-    if (off_mm > tolerance_mm || off_mm >= nearest_mm - kAsNear) continue;
+    const Point3 at = motion.from + share * (motion.to - motion.from);
+    if ((at - tip).norm() > search.tolerance_mm) continue;
+    if (std::abs((at - reported_at).dot(axis)) > search.most_rise_mm) continue;
     const Point3 wanted = (motion.axis_from + share * (motion.axis_to - motion.axis_from)).normalized();
     if (std::acos(std::clamp(wanted.dot(axis), -1.0, 1.0)) > kAxisTolerance) continue;
-    const double begin_mm = i == 0 ? 0.0 : laid_[i - 1];
-    const double place_mm = begin_mm + (motion.area_mm2 > 0.0 ? share * (laid_[i] - begin_mm) : 0.0);
-    if (place_mm < from_mm - kSameLength) continue;
-    nearest_mm = off_mm;
-    found = place_mm;
+    const double place_mm = start_mm + (motion.area_mm2 > 0.0 ? share * (laid_[i] - start_mm) : 0.0);
+    if (place_mm >= from_mm && place_mm <= to_mm) near.push_back({place_mm, (at - tip).norm()});
   }
-  return found;
+  return near;
+}
+
+std::optional<double> LaidBeads::find(const Eigen::Isometry3d& nozzle, const LaidSearch& search) const {
+  const std::vector<Candidate> near = candidates(nozzle, search);
+  if (near.empty()) return std::nullopt;
+  const Candidate nearest = *std::min_element(
+      near.begin(), near.end(), [](const Candidate& a, const Candidate& b) { return a.off_mm < b.off_mm; });
+  for (const Candidate& other : near)
+    if (std::abs(other.laid_mm - nearest.laid_mm) >= kApart && other.off_mm < 2.0 * nearest.off_mm + kAsNear)
+      return std::nullopt;
+  return nearest.laid_mm;
 }
 
 }  // namespace lamina

@@ -10,7 +10,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kBehind = 2.0;  // mm by which the machine may trail what is reported
 constexpr double kWhole = 1e-3;  // mm that is no bead
 
 }  // namespace
@@ -24,19 +23,23 @@ void describe(SettingsSchema& schema, ToolpathResumeSettings& settings) {
 
 bool ResumePlace::isAllLaid() const { return begin_mm >= total_mm - kWhole; }
 
-ResumePlace resumePlace(const LaidBeads& beads, double reported_mm,
+ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported,
                         const std::optional<Eigen::Isometry3d>& nozzle,
                         const ToolpathResumeSettings& settings) {
   ResumePlace place;
   place.total_mm = beads.total();
-  place.laid_mm = std::min(reported_mm, place.total_mm);
+  place.laid_mm = std::min(reported.laid_mm, place.total_mm);
   if (nozzle) {
-    const auto found = beads.find(*nozzle, std::max(0.0, reported_mm - kBehind), settings.tolerance_mm);
+    const auto found = beads.find(*nozzle, {reported.laid_mm, reported.behind_mm, reported.ahead_mm,
+                                            reported.most_rise_mm, settings.tolerance_mm});
     place.is_found = found.has_value();
     if (found) place.laid_mm = *found;
-    place.unreported_mm3 = std::max(0.0, beads.volume(place.laid_mm) - beads.volume(reported_mm));
+    place.unreported_mm3 = std::max(0.0, beads.volume(place.laid_mm) - beads.volume(reported.laid_mm));
   }
-  place.begin_mm = std::max(beads.beadStart(place.laid_mm), place.laid_mm - settings.overlap_mm);
+  // Of a toolpath that is handed over to its end, the controller runs the rest by itself.
+  const bool is_known = place.is_found || place.laid_mm >= place.total_mm;
+  const double least_mm = is_known ? place.laid_mm : std::max(0.0, place.laid_mm - reported.behind_mm);
+  place.begin_mm = std::max(beads.beadStart(least_mm), least_mm - settings.overlap_mm);
   place.heading_for = beads.headingFor(place.begin_mm);
   return place;
 }
@@ -48,8 +51,8 @@ std::string toText(const ResumePlace& place) {
       place.is_found ? "the nozzle came to rest on it after " + mm(place.laid_mm) + " of its beads, of " +
                            mm(place.total_mm) + "; whether the last bead was laid up to there is not known"
                      : "after " + mm(place.laid_mm) + " of its beads, of " + mm(place.total_mm) +
-                           ", it was reported last; the nozzle does not stand on it any more, so how much "
-                           "was laid after that is not known, and is laid a second time";
+                           ", it was reported last; where the nozzle stands does not show how much was "
+                           "laid after that, which is laid a second time";
   return known + "; it begins after " + mm(place.begin_mm) + ", on the way to " + toText(place.heading_for);
 }
 

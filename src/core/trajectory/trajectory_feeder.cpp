@@ -122,7 +122,8 @@ class TrajectoryFeeder::State {
     rest_ = laid_.placeOf(from_mm);
     timeline_ = Timeline();
     const ProcessSettings& process = motion_->settings().process;
-    const bool is_on_bead = rest_.along > 0.0;
+    const bool is_on_bead =
+        rest_.along > 0.0 || (rest_.span > 0 && motion_->curve().spanEnd(rest_.span - 1).area_mm2 > 0.0);
     double wait_s = process.settling_s;
     // At the start of a bead the plan has the other waits itself.
     if (is_on_bead) wait_s += motion_->averaging() + process.wait_before_s;

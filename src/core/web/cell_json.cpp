@@ -229,7 +229,8 @@ std::int64_t jobNumber(const std::string& text) {
   // Messages of ROS carry 32 bits: a larger number, cut to them, would be that of another job.
   constexpr std::int64_t kMostJob = 4294967295;
   const std::int64_t number = wholeNumber(text);
-  if (number > kMostJob) throw InvalidInput("job " + text + "; expected at most " + std::to_string(kMostJob));
+  if (number < 1 || number > kMostJob)
+    throw InvalidInput("job " + text + "; expected 1 to " + std::to_string(kMostJob));
   return number;
 }
 

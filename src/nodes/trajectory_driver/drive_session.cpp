@@ -84,6 +84,12 @@ double DriveSession::controllerTime(const ros::Time& now) const {
   return reported_.isZero() ? -settings_.start_delay_s : secondsBetween(begin_, reported_);
 }
 
+/// The time of the job when the controller's last report came [s]: what it does since is not known.
+double DriveSession::heardTime() const {
+  const std::lock_guard<std::mutex> lock(report_mutex_);
+  return heard_.isZero() ? -settings_.start_delay_s : secondsBetween(begin_, heard_);
+}
+
 /// Whether what is planned is over. By stamps only the controller knows.
 bool DriveSession::isRun(const ros::Time& now) const {
   return jobTime(now) >= feeder_.restTime() && (!isByStamps() || links_.controller.isDone());
@@ -183,7 +189,7 @@ void DriveSession::measureLaid(double time_s) {
 void DriveSession::follow(const ros::Time& now) {
   if (given_up_at_) return;
   // By what the controller has reported where its clock counts: what was laid is not to be told too early.
-  measureLaid(std::min(jobTime(now), controllerTime(now)));
+  measureLaid(std::min({jobTime(now), controllerTime(now), heardTime()}));
   const double now_s = jobTime(now);
   const double rest_s = feeder_.restTime();
   status_.time_s = std::clamp(now_s, 0.0, rest_s);
@@ -263,6 +269,7 @@ std::vector<DrivenLayer> DriveSession::takeLayers() {
 void DriveSession::hear(const ControllerReport& report, const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(report_mutex_);
   reported_ = std::max(reported_, report.stamp);
+  heard_ = std::max(heard_, now);
   reports_.hear(report.stamp, now);
   tracking_.add(report.wanted, report.actual);
 }

@@ -130,6 +130,7 @@ class DriveSession {
   bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
+  double heardTime() const;
   bool isRun(const ros::Time& now) const;
   void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
@@ -169,6 +170,7 @@ class DriveSession {
   Tracking tracking_;
   ReportWatch reports_;
   ros::Time reported_;  ///< stamp of the last report; zero before the first
+  ros::Time heard_;     ///< when the last report came; zero before the first
 };
 
 }  // namespace lamina

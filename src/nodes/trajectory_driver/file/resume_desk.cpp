@@ -16,9 +16,25 @@
 namespace lamina {
 namespace {
 
-constexpr double kAge = 1.0;     // s of what is known of the joints
-constexpr double kAtRest = 0.2;  // s for which they have to be still
-constexpr double kLook = 0.02;   // s between looks
+constexpr double kAge = 1.0;         // s of what is known of the joints
+constexpr double kAtRest = 0.2;      // s for which they have to be still
+constexpr double kLook = 0.02;       // s between looks
+constexpr double kUnreported = 2.0;  // s between two reports that are kept, at most
+constexpr double kBehind = 2.0;      // mm by which a machine may trail, whatever its tracking limit
+
+/// How far the machine may be from what was reported. A driver whose cell is gone drives on for the grace; a
+/// controller whose driver is gone runs what it was handed over.
+ReportedProgress reportedProgress(const DriverSettings& settings, const LaidBeads& beads, double laid_mm) {
+  const TrajectoryFeederSettings& feeder = settings.feeder;
+  double unheard_s = kUnreported + feeder.ahead_s + feeder.points / feeder.rate_hz;
+  if (!settings.owner.empty()) unheard_s += settings.owner_grace_s;
+  ReportedProgress reported;
+  reported.laid_mm = laid_mm;
+  reported.behind_mm = std::max(kBehind, settings.tracking.tip_mm);
+  reported.ahead_mm = unheard_s * beads.greatestFeed();
+  if (settings.lift_mm > 0.0) reported.most_rise_mm = 0.5 * settings.lift_mm;
+  return reported;
+}
 
 }  // namespace
 
@@ -66,7 +82,8 @@ void ResumeDesk::requireResumable() const {
 ResumePlace ResumeDesk::placeBy(const LaidBeads& beads, const Eigen::Isometry3d& bed_from_part, double laid_m,
                                 double wait_s) const {
   const Eigen::Isometry3d nozzle = bed_from_part.inverse() * model_.bedFromNozzle(rest(wait_s));
-  return resumePlace(beads, toMillimetres(laid_m), nozzle, settings_.resume);
+  return resumePlace(beads, reportedProgress(settings_, beads, toMillimetres(laid_m)), nozzle,
+                     settings_.resume);
 }
 
 std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathGoal& goal,
