@@ -48,6 +48,7 @@ struct Checked {
   RunTime time;                            ///< of that run
   std::optional<FenceDistance> fence;      ///< the nearest that a link comes to a body of the cell
   std::optional<OverhangTotals> overhang;  ///< of an arm's program, along its tool axes
+  std::string overhang_unknown;            ///< why it was not looked at
   /// Of a program that was cut off: a warning, for what is there can be run or not.
   std::optional<Finding> early_end;
 };
@@ -90,14 +91,16 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"rewinds", check.rewinds},
                                  {"unchecked", check.ignored},
                                  {"findings", nlohmann::ordered_json::array()}};
-  json["time_s"] = json["slow_bead_share"] = nlohmann::ordered_json();
+  json["time_s"] = nlohmann::ordered_json();
+  json["slow_bead_share"] = nlohmann::ordered_json();
   if (checked.timed) {
     json["time_s"] = checked.time.total_s;
     json["slow_bead_share"] = checked.time.slow_bead_share;
   }
   json["unknown_way"] = check.unknown_way;
   json["nearest_body"] = toJson(checked.fence);
-  json["overhang_mm"] = json["longest_overhang_mm"] = nlohmann::ordered_json();
+  json["overhang_mm"] = nlohmann::ordered_json();
+  json["longest_overhang_mm"] = nlohmann::ordered_json();
   if (checked.overhang) {
     json["overhang_mm"] = checked.overhang->all.overhang_mm;
     json["longest_overhang_mm"] = checked.overhang->longest_overhang_mm;
@@ -125,6 +128,8 @@ void printSurroundings(const Checked& checked) {
         "overhang    %zu %s, %.1f mm of bead with nothing below along the tool axis, the longest %.2f mm\n",
         checked.overhang->overhangs, checked.overhang->overhangs == 1 ? "stretch" : "stretches",
         checked.overhang->all.overhang_mm, checked.overhang->longest_overhang_mm);
+  if (!checked.overhang_unknown.empty())
+    std::printf("overhang    not looked at: %s\n", checked.overhang_unknown.c_str());
   if (checked.fence)
     std::printf("nearest     link '%s' comes to %.1f mm of body %zu of the cell: %s\n",
                 checked.fence->link.c_str(), checked.fence->distance_mm, checked.fence->body + 1,
@@ -206,6 +211,16 @@ std::optional<FenceDistance> fenceOf(const KinematicModelRun& run, const Checked
   return fence;
 }
 
+/// What cannot be looked at does not take the rest of the check with it.
+void findOverhang(Checked& checked, const KinematicModelRun& run, const OverhangSettings& settings,
+                  Progress& progress) {
+  try {
+    checked.overhang = totals(findOverhangs(run.toolpath(), run.bed_from_part, settings, progress));
+  } catch (const InvalidInput& error) {
+    checked.overhang_unknown = error.what();
+  }
+}
+
 Checked checkedOn(const KinematicModel& model, const std::string& input, const JobSettings& settings) {
   TerminalProgress progress;
   const CheckedMachine machine(model);
@@ -216,8 +231,7 @@ Checked checkedOn(const KinematicModel& model, const std::string& input, const J
   checked.early_end = findingOf(end, run);
   checked.singular = singularBeads(run, model, settings.joints.singular_margin_deg);
   checked.fence = fenceOf(run, machine);
-  if (isArm(model))
-    checked.overhang = totals(findOverhangs(run.toolpath(), run.bed_from_part, settings.overhang, progress));
+  if (isArm(model)) findOverhang(checked, run, settings.overhang, progress);
   if (!run.path.isRunnable()) return checked;
   checked.timed = inTime(std::move(run), model, runSettings(settings).timing);
   checked.time = plannedTime(*checked.timed, model, settings.motion);

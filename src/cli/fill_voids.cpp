@@ -50,7 +50,8 @@ JobSettings settingsFrom(const FillVoidsArguments& arguments) {
   std::vector<SettingText> overrides = overridesOf(arguments.drops);
   for (SettingText& setting : overridesFrom(arguments.settings.assignments))
     overrides.push_back(std::move(setting));
-  return withStatedShrinkage(loadJobSettings(arguments.settings.config, overrides), arguments.program);
+  return withStatedShrinkage(loadJobSettings(arguments.settings.config, overrides), arguments.program,
+                             overrides);
 }
 
 VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {

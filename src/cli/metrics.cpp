@@ -43,7 +43,8 @@ struct MeasuredProgram {
 
 MeasuredProgram measureInput(const std::string& input, const ComparedPart& drawn,
                              const MetricsArguments& arguments, const JobSettings& asked) {
-  const JobSettings settings = withStatedShrinkage(asked, input);
+  const JobSettings settings =
+      withStatedShrinkage(asked, input, overridesFrom(arguments.settings.assignments));
   const ComparedPart part = asPrinted(drawn, settings);
   MeasuredProgram measured;
   measured.name = std::filesystem::path(input).filename().string();

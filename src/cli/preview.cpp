@@ -61,7 +61,8 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
   if (arguments.part.empty()) return {};
   VoidJob job;
   job.part = arguments.part;
-  job.settings = withStatedShrinkage(settings, arguments.input);
+  job.settings =
+      withStatedShrinkage(settings, arguments.input, overridesFrom(arguments.settings.assignments));
   TerminalProgress progress;
   VoidReport report;
   report.part = placeContours(toolpath, job, progress);

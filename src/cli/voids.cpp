@@ -37,7 +37,8 @@ struct VoidArguments {
 VoidJob jobFrom(const VoidArguments& arguments) {
   VoidJob job;
   job.part = arguments.part;
-  job.settings = withStatedShrinkage(jobSettingsFrom(arguments.settings), arguments.program);
+  job.settings = withStatedShrinkage(jobSettingsFrom(arguments.settings), arguments.program,
+                                     overridesFrom(arguments.settings.assignments));
   if (!arguments.offset.empty()) job.offset = Point2(arguments.offset[0], arguments.offset[1]);
   return job;
 }

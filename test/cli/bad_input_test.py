@@ -109,7 +109,7 @@ PROGRAMS = (
     ("name that begins with a digit", "irb_4600", "src", ("robot_program.name=9tube",), ("the program's name is '9tube'", "must be a letter, then letters, digits and underscores, at most 24 in KRL")),
     ("name that is a word", "irb_4600", "src", ("robot_program.name=loop",), ("the program's name is 'loop'", "a word of KRL itself")),
     ("speed beyond 2 % of the format", "irb_4600", "ls", ("feed.outer_wall_mm_s=0.05",), ("layer 0, path ", "a feed is 0.05 mm/s; the nearest that can be written is 1 cm/min, 233.3 % off, expected 2 % at most")),
-    ("point out of the number format", long_rail, "src", ("joints.rail=follow",), (" mm; must be within -99999.999 to 99999.999 mm in KRL")),
+    ("point out of the number format", long_rail, "src", ("joints.rail=follow",), (" mm; must be within -99999.999 to 99999.999 mm in KRL",)),
     ("table that turns uncoordinated", held_cell, "ls", ("fanuc.coordinated=false", "joints.external_deg=10"), ("fanuc.coordinated is false, and axis external_1 turns the bed to 10 deg; expected true, or 0 deg",)),
     ("external axes in URScript", held_cell, "script", (), ("the arm has 2 external axes; expected none: URScript moves none",)),
     ("external axes in INFORM", held_cell, "jbi", (), ("the arm has 2 external axes; expected none",)),
@@ -158,6 +158,7 @@ class BadInput(unittest.TestCase):
         return os.path.join(folder, "cell.yaml")
 
     def refuses(self, says, *command):
+        self.assertIsInstance(says, tuple)
         done = lamina(*command)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         for each in says:

@@ -79,7 +79,7 @@ void useMemory(const std::string& text) {
 }  // namespace lamina
 
 /// Any bytes are read as what the loop keeps in files (maps, learnt parts, toolpaths of maps, its memory), or
-/// refused; what is read is used, and leads to no amount beyond its limits.
+/// refused; what is read is used. Memories lead to no amount beyond its limits; a led map may be refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   lamina::tryReading([&] { lamina::useMap(lamina::withItsDigest(text)); });

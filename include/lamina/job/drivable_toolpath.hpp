@@ -40,7 +40,7 @@ struct DriveCheckSettings {
 };
 
 /// The settings by which a toolpath is checked, "joints.yaw: free" on a line each, in the order of their
-/// keys: all of joints.* and clearance.*, but clearance.need, which each node reads its own way.
+/// keys: all of joints.*, and those of clearance.* that decide what collides, unless clearance.need is never.
 std::string driveSettingsSheet(const DriveCheckSettings& settings);
 
 /// Refuses settings of a unit that differ from those of its driver: what the unit lets into its queue is to

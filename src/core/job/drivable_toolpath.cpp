@@ -41,7 +41,8 @@ void requireToolpath(std::string_view text) {
       "'; expected the header of a toolpath, as `lamina slice part.stl -o part.csv` writes it");
 }
 
-constexpr const char* kEachItsOwn = "clearance.need";
+constexpr const char* kEachItsOwn[] = {"clearance.need", "clearance.report"};
+constexpr const char* kClearance = "clearance.";
 constexpr const char* kBetween = ": ";  // key and value
 
 std::map<std::string, std::string> valuesIn(const std::string& sheet) {
@@ -91,10 +92,11 @@ std::string driveSettingsSheet(const DriveCheckSettings& settings) {
   DriveCheckSettings copy = settings;
   SettingsSchema schema;
   describe(schema, copy.joints);
-  describe(schema, copy.clearance);
+  if (copy.clearance.need != ClearanceNeed::Never) describe(schema, copy.clearance);
   std::map<std::string, std::string> values;
   for (const Setting& setting : schema.settings())
-    if (setting.key != kEachItsOwn) values.emplace(setting.key, setting.get());
+    if (std::find(std::begin(kEachItsOwn), std::end(kEachItsOwn), setting.key) == std::end(kEachItsOwn))
+      values.emplace(setting.key, setting.get());
   std::string sheet;
   for (const auto& [key, value] : values) sheet.append(key).append(kBetween).append(value).append("\n");
   return sheet;
@@ -108,6 +110,8 @@ void requireSameDriveSettings(const DriveCheckSettings& unit, const std::string&
     for (const auto& [key, value] : *side) keys.insert(key);
   std::string differing;
   for (const std::string& key : keys) {
+    // Who does not check for collisions does not use these.
+    if (beginsWith(key, kClearance) && (own.count(key) == 0 || driver.count(key) == 0)) continue;
     const std::string here = shownValue(own, key);
     const std::string there = shownValue(driver, key);
     if (here != there) differing += key + " is " + here + " for the unit and " + there + " for its driver; ";

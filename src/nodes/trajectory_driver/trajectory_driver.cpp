@@ -108,7 +108,9 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
           [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false),
       gate_(node, names::kDriveToolpath, owner_),
       pulses_(settings.guard_socket, [this] { return pulse(); }) {
-  tellDriveSettings(node, {settings_.run.joints, settings_.clearance});
+  ClearanceSettings clearance = settings_.clearance;
+  if (!settings_.is_clearance_checked) clearance.need = ClearanceNeed::Never;
+  tellDriveSettings(node, {settings_.run.joints, clearance});
   // Plans that this node publishes take no toolpath's place: that may be driven once more.
   const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
       [this](const auto& event) {

@@ -11,6 +11,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/job/voids/program_void_job.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "latched.hpp"
@@ -209,6 +210,10 @@ lamina_msgs::FillVoids::Response VoidFiller::fill(const lamina_msgs::FillVoids::
   SettingsSchema schema;
   describe(schema, job.settings);
   applyRequest(schema, request.settings);
+  std::vector<SettingText> typed;
+  typed.reserve(request.settings.size());
+  for (const lamina_msgs::Setting& setting : request.settings) typed.push_back({setting.key, setting.value});
+  job.settings = withStatedShrinkage(job.settings, request.program, typed);
   ServiceProgress progress;
   const ProgramVoidReport report = runProgramVoidJob(job, progress);
   lamina_msgs::FillVoids::Response response;

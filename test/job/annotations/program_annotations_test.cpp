@@ -138,12 +138,14 @@ TEST_F(ProgramAnnotationsTest, StateTheShrinkageThatAPartIsComparedWith) {
                                {"compensation.shrink_xy", "0.004"},
                                {"compensation.shrink_z", "0.003"},
                                {"infill.density", "0.37"}}));
-  const JobSettings compared = withStatedShrinkage({}, path);
+  const JobSettings compared = withStatedShrinkage({}, path, {});
   EXPECT_EQ(compared.compensation.shrink_xy, 0.004);
   EXPECT_EQ(compared.compensation.shrink_z, 0.003);
   EXPECT_EQ(compared.planning.infill.density, JobSettings().planning.infill.density);
+  EXPECT_EQ(withStatedShrinkage({}, path, {{"compensation.shrink_xy", "0"}}).compensation.shrink_xy, 0.0)
+      << "what a person gives holds";
   writeFile(path, "G28\n");
-  EXPECT_EQ(withStatedShrinkage(compared, path).compensation.shrink_xy, 0.004);
+  EXPECT_EQ(withStatedShrinkage(compared, path, {}).compensation.shrink_xy, 0.004);
 }
 
 TEST_F(ProgramAnnotationsTest, AreAskedForInVainWhereAProgramStatesNoSettings) {

@@ -369,7 +369,7 @@ TEST(Leads, AreShortenedToTheRoomOrLeftOut) {
 }
 
 // A ring of 1 mm is 6.28 mm round.
-TEST(Leads, AsLongAsTheirClosedRunAreRefused) {
+TEST(Leads, AsLongAsAllClosedRunsAreRefused) {
   const auto refusal = [](const LeadSettings& lead) {
     Toolpath toolpath = tube(1.0, 1);
     try {
@@ -381,10 +381,16 @@ TEST(Leads, AsLongAsTheirClosedRunAreRefused) {
   };
   const std::string line = refusal(straightLead(6.5));
   EXPECT_EQ(line.find("layer 0 at 0.5 mm, path 1: a lead is 6.5 mm long (lead.length_mm); must be less than "
-                      "the closed run, 6.28"),
+                      "the longest closed run, 6.28"),
             0U)
       << line;
   EXPECT_EQ(refusal(straightLead(6.2)), "");
+  // Beside a longer run a short one does not refuse the part.
+  Toolpath both = tube(1.0, 1);
+  const Toolpath wide = tube(20.0, 1);
+  both.layers[0].paths.insert(both.layers[0].paths.end(), wide.layers[0].paths.begin(),
+                              wide.layers[0].paths.end());
+  EXPECT_NO_THROW(addLeads(both, straightLead(6.5)));
   LeadSettings arc;
   arc.out = LeadShape::Arc;
   arc.radius_mm = 3.0;

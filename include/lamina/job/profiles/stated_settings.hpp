@@ -19,8 +19,10 @@ std::string settingComments(const JobSettings& settings);
 std::vector<PlacedSetting> statedSettings(const std::string& program_path);
 
 /// The settings with the shrinkage (`compensation.shrink_xy`, `compensation.shrink_z`) that the program
-/// states its part was enlarged for; as they are if it states none, or is no G-code.
-/// @throws FileError
-JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path);
+/// states its part was enlarged for, but for keys in `typed`; as they are if it states none, or is no G-code.
+/// @param typed  settings that a person has given, which hold
+/// @throws FileError; InvalidConfig naming file and line if a stated value is none
+JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path,
+                                const std::vector<SettingText>& typed);
 
 }  // namespace lamina

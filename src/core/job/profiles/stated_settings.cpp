@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/profiles/stated_settings.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <utility>
@@ -83,12 +84,20 @@ std::vector<PlacedSetting> statedSettings(const std::string& program_path) {
                       "program.settings_in_file true");
 }
 
-JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path) {
+JobSettings withStatedShrinkage(JobSettings settings, const std::string& program_path,
+                                const std::vector<SettingText>& typed) {
   if (!isGcodeFile(program_path)) return settings;
   SettingsSchema schema;
   describe(schema, settings);
-  for (const PlacedSetting& placed : settingsIn(program_path).value_or(std::vector<PlacedSetting>()))
-    if (decidesSize(placed)) schema.set(placed.setting.key, placed.setting.text);
+  for (const PlacedSetting& placed : settingsIn(program_path).value_or(std::vector<PlacedSetting>())) {
+    const auto isSame = [&](const SettingText& given) { return given.key == placed.setting.key; };
+    if (!decidesSize(placed) || std::any_of(typed.begin(), typed.end(), isSame)) continue;
+    try {
+      schema.set(placed.setting.key, placed.setting.text);
+    } catch (const InvalidConfig& error) {
+      throw InvalidConfig(program_path + ", line " + std::to_string(placed.line) + ": " + error.what());
+    }
+  }
   return settings;
 }
 

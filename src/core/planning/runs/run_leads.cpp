@@ -270,6 +270,13 @@ double widestPlan(const Path& path) {
 
 enum class LeadEnd { In, Out };
 
+/// Where a lead is asked for.
+struct LeadPlace {
+  std::size_t path = 0;  ///< of the layer
+  LeadEnd end = LeadEnd::In;
+  double run_mm = 0.0;  ///< length of the run that it leads to
+};
+
 /// Makes the leads of one layer.
 class LayerLeads {
  public:
@@ -277,7 +284,8 @@ class LayerLeads {
       : layer_(layer), settings_(settings), motions_(beadMotions(layer)) {}
 
   /// Nothing if there is no room; counted.
-  std::optional<Path> lead(std::size_t index, LeadEnd end, LeadCount& count) const {
+  std::optional<Path> lead(const LeadPlace& place, LeadCount& count) const {
+    const auto [index, end, run_mm] = place;
     const Path& path = layer_.paths[index];
     const LeadShape shape = end == LeadEnd::In ? settings_.in : settings_.out;
     if (shape == LeadShape::None) return std::nullopt;
@@ -290,10 +298,10 @@ class LayerLeads {
     const double width_mm = widestPlan(path);
     if (!start || width_mm <= 0.0) return std::nullopt;
     const LeadWay way = leadWay(shape, settings_);
-    FreeWay free = shape == LeadShape::Loop ? freeLoop(*start, way, index, width_mm)
-                                            : freeSide(*start, way, index, width_mm);
     // Longer than what it leads to, it would lay or heat more beside the part than in it.
-    if (shape != LeadShape::Loop) free.length_mm = std::min(free.length_mm, length(path));
+    FreeWay free = shape == LeadShape::Loop ? freeLoop(*start, way, {index, end, run_mm}, width_mm)
+                                            : freeSide(*start, way, index, width_mm);
+    if (shape != LeadShape::Loop) free.length_mm = std::min(free.length_mm, run_mm);
     if (free.length_mm < std::min(settings_.least_mm, way.whole_mm)) {
       ++count.left_out;
       return std::nullopt;
@@ -328,16 +336,17 @@ class LayerLeads {
   };
 
   /// The greatest loop for which there is room: a part of one would be an arc.
-  FreeWay freeLoop(const LeadStart& start, const LeadWay& whole, std::size_t index, double width_mm) const {
+  FreeWay freeLoop(const LeadStart& start, const LeadWay& whole, const LeadPlace& place,
+                   double width_mm) const {
+    const std::size_t index = place.path;
     const double reach_mm = whole.whole_mm / std::cos(toRadians(settings_.rise_deg));
     const LeadRoom room(motions_, start.at, reach_mm, index);
     const LeadSide outer = outside(layer_.paths[index], start.up);
-    const double run_mm = length(layer_.paths[index]);
     for (std::size_t size = kLoopSizes; size > 0; --size) {
       LeadWay way = whole;
       way.radius_mm *= static_cast<double>(size) / kLoopSizes;
       way.whole_mm = 2.0 * M_PI * way.radius_mm;
-      if (way.whole_mm > run_mm) continue;
+      if (way.whole_mm > place.run_mm) continue;
       const auto farFromOthers = [&](LeadSide side) {
         return room.toOthers(leadPoint(start, way, side, settings_, 0.5 * way.whole_mm));
       };
@@ -443,9 +452,12 @@ class RunEndings {
 
   EndCount add() {
     const std::vector<RunSpan> runs = runsOf(toolpath_, places_);
+    requireRunForLead(runs, lead_.in);
+    requireRunForLead(runs, lead_.out);
     for (const RunSpan& run : runs) {
-      if (isFree(run.begin - 1)) addLead(run.begin, LeadEnd::In);
-      if (isFree(run.end)) addLead(run.end - 1, LeadEnd::Out);
+      const double run_mm = lengthOf(run);
+      if (isFree(run.begin - 1)) addLead(run.begin, LeadEnd::In, run_mm);
+      if (isFree(run.end)) addLead(run.end - 1, LeadEnd::Out, run_mm);
     }
     // Once all leads are known: rooms are those of what was planned.
     for (const RunSpan& run : runs) {
@@ -464,25 +476,34 @@ class RunEndings {
 
   PathEnds& endsAt(std::size_t index) { return ends_[places_[index].layer][places_[index].path]; }
 
-  void addLead(std::size_t index, LeadEnd end) {
+  void addLead(std::size_t index, LeadEnd end, double run_mm) {
     const RunPlace& place = places_[index];
-    requireShorterThanRun(place, end);
-    std::optional<Path> lead = layers_[place.layer].lead(place.path, end, count_.leads);
+    std::optional<Path> lead = layers_[place.layer].lead({place.path, end, run_mm}, count_.leads);
     (end == LeadEnd::In ? endsAt(index).in : endsAt(index).out) = std::move(lead);
   }
 
-  /// A closed run has no room on either side for what is longer than itself. Loops are made smaller.
-  void requireShorterThanRun(const RunPlace& place, LeadEnd end) const {
-    const Path& path = pathAt(toolpath_, place);
-    const LeadShape shape = end == LeadEnd::In ? lead_.in : lead_.out;
-    if (!path.is_closed || (shape != LeadShape::Line && shape != LeadShape::Arc)) return;
-    const double whole_mm = length(path);
+  double lengthOf(const RunSpan& run) const {
+    double run_mm = 0.0;
+    for (std::size_t i = run.begin; i < run.end; ++i) run_mm += length(pathAt(toolpath_, places_[i]));
+    return run_mm;
+  }
+
+  /// A part of closed runs alone, none longer than a lead, was meant otherwise. Beside longer runs, leads of
+  /// short ones are shortened. Loops are made smaller.
+  void requireRunForLead(const std::vector<RunSpan>& runs, LeadShape shape) const {
+    if (runs.empty() || (shape != LeadShape::Line && shape != LeadShape::Arc)) return;
     const double lead_mm =
         shape == LeadShape::Line ? lead_.length_mm : lead_.radius_mm * toRadians(lead_.sweep_deg);
-    if (lead_mm < whole_mm) return;
-    throw InvalidInput(placeText(toolpath_, place) + ": a lead is " + numberText(lead_mm) + " mm long (" +
-                       (shape == LeadShape::Line ? "lead.length_mm" : "lead.radius_mm, lead.sweep_deg") +
-                       "); must be less than the closed run, " + numberText(whole_mm) + " mm");
+    const RunSpan* longest = nullptr;
+    for (const RunSpan& run : runs) {
+      const bool is_closed = run.count() == 1 && pathAt(toolpath_, places_[run.begin]).is_closed;
+      if (!is_closed || lengthOf(run) > lead_mm) return;
+      if (longest == nullptr || lengthOf(run) > lengthOf(*longest)) longest = &run;
+    }
+    throw InvalidInput(
+        placeText(toolpath_, places_[longest->begin]) + ": a lead is " + numberText(lead_mm) + " mm long (" +
+        (shape == LeadShape::Line ? "lead.length_mm" : "lead.radius_mm, lead.sweep_deg") +
+        "); must be less than the longest closed run, " + numberText(lengthOf(*longest)) + " mm");
   }
 
   void joinBefore(std::size_t index) {

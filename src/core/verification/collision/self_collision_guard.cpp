@@ -65,7 +65,7 @@ class CollisionTable {
   };
   struct Filling;
 
-  static Cells cellsOf(Eigen::Index index, const DrivenJoint& joint);
+  static Cells cellsOf(Eigen::Index index, const DrivenJoint& joint, double finest);
   static Cells oneCell(const Cells& all) { return {all.joint, all.low, 2.0 * kWholeTurn, 1}; }
 
   Cells columns_;
@@ -77,6 +77,8 @@ class CollisionTable {
 namespace {
 
 constexpr double kFinest = toRadians(2.0);
+/// Of one joint cells are cheap: a plate that turns closely above its bed is not banned everywhere.
+constexpr double kFinestOfOne = toRadians(0.1);
 
 std::string namesOf(const RigidGroup& group) {
   std::string names;
@@ -233,18 +235,20 @@ std::size_t CollisionTable::Cells::cellOf(const JointValues& values) const {
   return std::min(count - 1, static_cast<std::size_t>(within / width));
 }
 
-CollisionTable::Cells CollisionTable::cellsOf(Eigen::Index index, const DrivenJoint& joint) {
+CollisionTable::Cells CollisionTable::cellsOf(Eigen::Index index, const DrivenJoint& joint, double finest) {
   const double range = std::min(kWholeTurn, joint.high - joint.low);
-  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(range / kFinest)));
+  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(range / finest)));
   const double low = std::isfinite(joint.low) ? joint.low : -M_PI;
   return {index, low, range / static_cast<double>(count), count};
 }
 
 CollisionTable::CollisionTable(const JointedPair& pair, const std::vector<DrivenJoint>& joints,
                                const PairPoses& poses)
-    : columns_(cellsOf(pair.joints[0], joints[static_cast<std::size_t>(pair.joints[0])])),
-      rows_(pair.hasOneJoint() ? oneCell(columns_)
-                               : cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
+    : columns_(cellsOf(pair.joints[0], joints[static_cast<std::size_t>(pair.joints[0])],
+                       pair.hasOneJoint() ? kFinestOfOne : kFinest)),
+      rows_(pair.hasOneJoint()
+                ? oneCell(columns_)
+                : cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])], kFinest)),
       cells_(columns_.count * rows_.count, false),
       text_("link " + namesOf(*pair.far) + " would be in link " + namesOf(*pair.near)) {
   Filling filling{*this, pair, poses, {}, {}, {}};

@@ -112,6 +112,7 @@ void readLevelNotes(RapidSource& source) {
 /// The external axes of the first module, from the comments at its head.
 void readExternalNotes(RapidSource& source) {
   source.externals.clear();
+  std::string all;
   for (const RapidComment& comment : source.head) {
     const auto text = noteText(comment);
     if (!text) continue;
@@ -124,10 +125,11 @@ void readExternalNotes(RapidSource& source) {
     words.expectEnd();
     std::string entry = joint + (sign < 0.0 ? "=-" : "=") + axis + (zero < 0.0 ? "" : "+");
     appendShortest(entry, zero);
+    all += (all.empty() ? "" : ",") + entry;
     try {
-      source.externals.push_back(rapidExternals(entry).at(0));
+      source.externals = rapidExternals(all);
     } catch (const InvalidConfig&) {
-      words.refuse(axis, "a joint, and its axis, eax_a to eax_f");
+      words.refuse(axis, "a joint, and its axis, eax_a to eax_f, neither of which is named before");
     }
     if (std::abs(sign) != 1.0) words.refuse(axis, "1 or -1 behind it");
     source.process.insert("external axis " + entry);

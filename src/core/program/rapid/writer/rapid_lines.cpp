@@ -9,6 +9,7 @@
 
 #include "base/decimals.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
 #include "program/external_axes.hpp"
 #include "program/rapid/rapid_words.hpp"
 
@@ -55,7 +56,10 @@ std::string rapidExternalAxes(std::vector<double> values, const RapidSettings& s
   if (values.empty() && settings.has_external_axis) values.push_back(settings.external_axis);
   const std::size_t count = settings.is_thesis_compatible ? kThesisAxes : 6;
   std::vector<std::optional<double>> axes(values.begin(), values.end());
-  if (!settings.external_map.empty() && values.size() == settings.external_map.size()) {
+  if (!settings.external_map.empty() && !values.empty()) {
+    if (values.size() != settings.external_map.size())
+      throw InvalidInput("a target has " + std::to_string(values.size()) + " external axes; expected " +
+                         std::to_string(settings.external_map.size()) + ", as rapid.external_axes names");
     axes.assign(count, std::nullopt);
     for (std::size_t j = 0; j < values.size(); ++j) {
       const RapidExternal& external = settings.external_map[j];

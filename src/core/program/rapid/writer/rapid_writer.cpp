@@ -220,8 +220,10 @@ std::string rapidHead(const RapidHead& head, const RapidSpeeds& speeds, const Ra
 RapidSettings settingsFor(const RapidSettings& settings, const RobotMotion* robot) {
   if (robot == nullptr || !isSixAxisArm(robot->arm)) {
     if (!settings.external_axes.empty())
-      throw InvalidConfig("rapid.external_axes is '" + settings.external_axes +
-                          "', but no joints are known; expected none, or a machine that is an arm");
+      throw InvalidConfig(
+          "rapid.external_axes is '" + settings.external_axes + "', but " +
+          (robot == nullptr ? "no joints are known" : "'" + robot->arm.name() + "' has no six axes") +
+          "; expected none, or a machine that is an arm of six axes");
     return checkedRapidSettings(settings);
   }
   RapidSettings own = checkedRapidSettings(withArmCell(settings, robot->arm));
