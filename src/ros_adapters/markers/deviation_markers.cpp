@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "conversions.hpp"
 
@@ -20,6 +21,7 @@ constexpr double kTextAboveLayers = 3.0;
 constexpr double kLeastText = 0.5;  // mm
 constexpr double kTextShare =
     0.05;  // height of the letters over the extent of the layer: its lines are as long
+constexpr double kFromLineToLine = 1.6;  // from line to line over the height of the letters
 
 std_msgs::ColorRGBA grey(float level) {
   std_msgs::ColorRGBA colour;
@@ -37,19 +39,20 @@ Marker newMarker(const char* name, const std::string& frame) {
   return marker;
 }
 
-std::string scaleText(const LayerOutcome& layer, double full_mm) {
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "layer %zu: off by %.3f mm (rms), %+.3f mm in the mean\nred: %.2f mm too high, blue: too low, "
-      "grey: not seen",
-      layer.figures.layer, layer.figures.rmse_mm, -layer.figures.mean_error_mm, full_mm);
-  return text;
+/// From the top to the bottom.
+std::vector<std::string> scaleLines(const LayerOutcome& layer, double full_mm) {
+  char of_layer[120];
+  std::snprintf(of_layer, sizeof of_layer, "layer %zu: off by %.3f mm (rms), %+.3f mm in the mean",
+                layer.figures.layer, layer.figures.rmse_mm, -layer.figures.mean_error_mm);
+  char of_colours[80];
+  std::snprintf(of_colours, sizeof of_colours, "red: %.2f mm too high, blue: too low, grey: not seen",
+                full_mm);
+  return {of_layer, of_colours};
 }
 
-Marker scaleMarker(const LayerOutcome& layer, double full_mm, Marker text,
-                   const Eigen::Isometry3d& frame_from_part) {
-  text.type = Marker::TEXT_VIEW_FACING;
+/// A marker for each line: RViz sets the lines of one text a centimetre apart, however small its letters are.
+void addScale(MarkerArray& all, const LayerOutcome& layer, double full_mm,
+              const Eigen::Isometry3d& frame_from_part) {
   Point3 low = frame_from_part * layer.cells.front().at;
   Point3 high = low;
   for (const CellOutcome& cell : layer.cells) {
@@ -57,13 +60,22 @@ Marker scaleMarker(const LayerOutcome& layer, double full_mm, Marker text,
     low = low.cwiseMin(at);
     high = high.cwiseMax(at);
   }
-  Point3 place = 0.5 * (low + high);
-  place.z() = high.z() + kTextAboveLayers * layer.figures.height_mm;
-  text.pose.position = toMessage(place);
-  text.scale.z = toMetres(std::max(kLeastText, kTextShare * (high - low).norm()));
-  text.color = grey(0.1F);
-  text.text = scaleText(layer, full_mm);
-  return text;
+  const double letter_mm = std::max(kLeastText, kTextShare * (high - low).norm());
+  const std::vector<std::string> lines = scaleLines(layer, full_mm);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto lines_below = static_cast<double>(lines.size() - 1 - i);
+    Point3 place = 0.5 * (low + high);
+    place.z() =
+        high.z() + kTextAboveLayers * layer.figures.height_mm + kFromLineToLine * letter_mm * lines_below;
+    Marker text = newMarker("scale", all.markers.front().header.frame_id);
+    text.id = static_cast<std::int32_t>(i);
+    text.type = Marker::TEXT_VIEW_FACING;
+    text.pose.position = toMessage(place);
+    text.scale.z = toMetres(letter_mm);
+    text.color = grey(0.1F);
+    text.text = lines[i];
+    all.markers.push_back(std::move(text));
+  }
 }
 
 }  // namespace
@@ -95,7 +107,8 @@ MarkerArray deviationMarkers(const LayerOutcome& layer, const std::string& frame
     width_mm += cell.width_mm / static_cast<double>(layer.cells.size());
   }
   beads.scale.x = toMetres(width_mm);
-  all.markers = {beads, scaleMarker(layer, full_mm, newMarker("scale", frame), frame_from_part)};
+  all.markers.push_back(std::move(beads));
+  addScale(all, layer, full_mm, frame_from_part);
   return all;
 }
 

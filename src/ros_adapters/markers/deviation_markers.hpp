@@ -17,9 +17,9 @@ std_msgs::ColorRGBA deviationColour(double deviation_mm, double full_mm);
 
 /// A layer that is done as beads in the colours of its deviation: a line of each cell, as wide as its bead,
 /// in namespace `beads` with the layer as id, so that the layers of a part stay side by side. Cells that were
-/// not seen are grey. Colours are full at a quarter of the layer's planned height. A text in namespace
-/// `scale`, above the middle of the layer, states layer, error and scale; it is the same marker for all
-/// layers.
+/// not seen are grey. Colours are full at a quarter of the layer's planned height. Two texts in
+/// namespace `scale`, above the middle of the layer, state layer and error, and what the colours mean; they
+/// are the same markers for all layers.
 /// @param frame_from_part  of the markers' frame
 visualization_msgs::MarkerArray deviationMarkers(const LayerOutcome& layer, const std::string& frame,
                                                  const Eigen::Isometry3d& frame_from_part);

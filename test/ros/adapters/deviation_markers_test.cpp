@@ -37,7 +37,7 @@ LayerOutcome shownLayer() {
 TEST(DeviationMarkers, AreBeadsInTheColoursOfTheirDeviation) {
   const Eigen::Isometry3d bed_from_part(Eigen::Translation3d(100.0, 0.0, 0.0));
   const auto markers = deviationMarkers(shownLayer(), "bed", bed_from_part).markers;
-  ASSERT_EQ(markers.size(), 2U);
+  ASSERT_EQ(markers.size(), 3U);
   const Marker& beads = markers[0];
   EXPECT_EQ(beads.header.frame_id, "bed");
   EXPECT_EQ(beads.ns, "beads");
@@ -58,16 +58,22 @@ TEST(DeviationMarkers, AreBeadsInTheColoursOfTheirDeviation) {
 
 TEST(DeviationMarkers, SayWhatTheColoursMean) {
   const auto markers = deviationMarkers(shownLayer(), "bed", Eigen::Isometry3d::Identity()).markers;
-  const Marker& text = markers.at(1);
-  EXPECT_EQ(text.type, Marker::TEXT_VIEW_FACING + 0);
-  EXPECT_EQ(text.id, 0) << "one for all layers";
-  EXPECT_DOUBLE_EQ(text.pose.position.x, 0.0105);
-  EXPECT_GT(text.pose.position.z, 0.003);
-  EXPECT_DOUBLE_EQ(text.scale.z, 0.0005) << "of a layer of 1 mm";
-  EXPECT_EQ(
-      text.text,
-      "layer 1: off by 0.250 mm (rms), -0.125 mm in the mean\nred: 0.38 mm too high, blue: too low, grey: "
-      "not seen");
+  ASSERT_EQ(markers.size(), 3U);
+  const Marker& layer = markers[1];
+  const Marker& scale = markers[2];
+  EXPECT_EQ(layer.text, "layer 1: off by 0.250 mm (rms), -0.125 mm in the mean");
+  EXPECT_EQ(scale.text, "red: 0.38 mm too high, blue: too low, grey: not seen");
+  for (std::int32_t line = 0; line < 2; ++line) {
+    const Marker& text = markers[1 + static_cast<std::size_t>(line)];
+    EXPECT_EQ(text.ns, "scale");
+    EXPECT_EQ(text.type, Marker::TEXT_VIEW_FACING + 0);
+    EXPECT_EQ(text.id, line) << "one for all layers";
+    EXPECT_DOUBLE_EQ(text.pose.position.x, 0.0105);
+    EXPECT_DOUBLE_EQ(text.scale.z, 0.0005) << "of a layer of 1 mm";
+    EXPECT_EQ(text.text.find('\n'), std::string::npos) << "RViz sets lines a centimetre apart";
+  }
+  EXPECT_DOUBLE_EQ(scale.pose.position.z, 0.0075) << "three layers of 1.5 mm above one at 3 mm";
+  EXPECT_DOUBLE_EQ(layer.pose.position.z, 0.0083) << "1.6 heights of its letters above it";
 }
 
 TEST(DeviationMarkers, AreFullAtTheEndOfTheirScaleAndBeyond) {

@@ -24,6 +24,7 @@ constexpr double kScaleHeight = 40.0;   // px, below that picture
 constexpr Colour kBlue{0.13, 0.42, 0.70};
 constexpr Colour kOrange{0.85, 0.37, 0.05};
 constexpr Colour kGrey{0.55, 0.58, 0.62};
+constexpr Colour kNotMeasured{0.66, 0.66, 0.66};
 
 std::string formatted(const char* format, double value) {
   char text[48];
@@ -82,7 +83,8 @@ std::string hexColour(const Colour& colour) {
 double colouredUpTo(const LoopRecord& record) {
   std::vector<float> magnitudes;
   for (const LayerRecord& layer : record.layers())
-    for (const float error : layer.error_mm) magnitudes.push_back(std::abs(error));
+    for (const float error : layer.error_mm)
+      if (layer.figures.is_measured) magnitudes.push_back(std::abs(error));
   if (magnitudes.empty()) return 1.0;
   const auto most =
       magnitudes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(magnitudes.size() - 1));
@@ -90,7 +92,7 @@ double colouredUpTo(const LoopRecord& record) {
   return std::max(1e-3, static_cast<double>(*most));
 }
 
-/// From too low, on the left, to too high.
+/// From too low, on the left, to too high; beside it the colour of layers that were not measured.
 std::string colourScale(double y, double most_mm) {
   constexpr int kSteps = 40;
   constexpr double kStep = 12.0;  // px
@@ -103,9 +105,13 @@ std::string colourScale(double y, double most_mm) {
     svg += "<rect x=\"" + formatted("%.0f", 40.0 + kStep * i) + "\" y=\"" + formatted("%.0f", y) +
            "\" width=\"12.2\" height=\"10\" fill=\"" +
            hexColour(colourAt(ColourMap::Diverging, (i + 0.5) / kSteps)) + "\"/>";
+  const double end = 40.0 + kStep * kSteps;
+  svg += "<rect x=\"" + formatted("%.0f", end + 60.0) + "\" y=\"" + formatted("%.0f", y) +
+         "\" width=\"60\" height=\"10\" fill=\"" + hexColour(kNotMeasured) + "\"/>";
   return svg + named(40.0, "start", formatted("%.2f mm too low", most_mm)) +
          named(40.0 + 0.5 * kStep * kSteps, "middle", "as planned") +
-         named(40.0 + kStep * kSteps, "end", formatted("%.2f mm too high", most_mm)) + "\n";
+         named(end, "end", formatted("%.2f mm too high", most_mm)) +
+         named(end + 60.0, "start", "not measured") + "\n";
 }
 
 /// All layers above each other, the first at the bottom; pieces of each from left to right.
@@ -126,9 +132,11 @@ std::string deviationDrawing(const LoopRecord& record, double most_mm) {
     for (std::size_t piece = 0; piece < LayerRecord::kPieces; ++piece) {
       // Too low is blue, as in pictures of deviation: measured less planned there.
       const double fraction = 0.5 - 0.5 * static_cast<double>(layer.error_mm[piece]) / most_mm;
+      const Colour colour =
+          layer.figures.is_measured ? colourAt(ColourMap::Diverging, fraction) : kNotMeasured;
       svg += "<rect x=\"" + formatted("%.0f", 40.0 + kPiece * static_cast<double>(piece)) + "\" y=\"" +
              formatted("%.1f", y) + "\" width=\"5.2\" height=\"" + formatted("%.1f", row_px + 0.2) +
-             "\" fill=\"" + hexColour(colourAt(ColourMap::Diverging, fraction)) + "\"/>";
+             "\" fill=\"" + hexColour(colour) + "\"/>";
     }
     if (row % named_each == 0)
       svg += "<text x=\"34\" y=\"" + formatted("%.1f", y + std::max(row_px, 9.0)) +
