@@ -51,6 +51,21 @@ TEST(ResumeSteps, HaveAPersonDecideOnAPlaceThatIsNotProven) {
   EXPECT_EQ(statesOf(found), "link 1 place 1 part 2 ready 2 way 2 ") << "a counter of lines proves it";
 }
 
+TEST(ResumeSteps, AreConfirmedOneByOne) {
+  ResumeConditions found = robotAtRest();
+  const auto left = [&found](const std::vector<std::string>& confirmed) {
+    return unconfirmed(resumeSteps(found), confirmed).size();
+  };
+  EXPECT_EQ(left({}), 3U);
+  EXPECT_EQ(left({"way", "place"}), 2U);
+  EXPECT_EQ(left({"part", "ready", "way"}), 0U);
+  found.is_place_proven = false;
+  EXPECT_EQ(unconfirmed(resumeSteps(found), {"part", "ready", "way"}),
+            std::vector<std::string>{"a person has to confirm 'place': it begins after 15 mm"});
+  found.unready = {"bed is cold"};
+  EXPECT_EQ(left({"part", "way"}), 1U) << "what waits is for others to refuse";
+}
+
 TEST(ResumeSteps, ShowTheTemperatures) {
   ResumeConditions found = robotAtRest();
   found.temperatures = "nozzle 41 °C";

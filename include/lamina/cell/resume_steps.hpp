@@ -37,4 +37,9 @@ struct ResumeConditions {
 /// The steps in the order in which they are to be looked at: link, place, part, heat and process, way.
 std::vector<ResumeStep> resumeSteps(const ResumeConditions& found);
 
+/// What stands against resuming for the steps that a person has to confirm and has not, a sentence each.
+/// Steps that are waited for are not among them.
+std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
+                                     const std::vector<std::string>& confirmed);
+
 }  // namespace lamina

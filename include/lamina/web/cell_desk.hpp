@@ -191,7 +191,8 @@ struct DeskCommand {
   UnitCommand command = UnitCommand::Hold;
   std::string source;
   std::optional<std::uint32_t> expected_sequence;  ///< refused if the unit's `sequence` is another
-  int cut_off = 0;  ///< for Start: 1 resumes the job that was cut off, 2 discards it
+  int cut_off = 0;                          ///< for Start: 1 resumes the job that was cut off, 2 discards it
+  std::vector<std::string> confirmed = {};  ///< steps of the resume that somebody has looked at, by name
 };
 
 struct DeskProgram {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/cell/resume_steps.hpp"
 
+#include <algorithm>
+
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -41,6 +43,16 @@ std::vector<ResumeStep> resumeSteps(const ResumeConditions& found) {
           {"part", ResumeStepState::Person, "the part stands where it stood, firm on the plate"},
           readyStep(found),
           {"way", ResumeStepState::Person, way}};
+}
+
+std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
+                                     const std::vector<std::string>& confirmed) {
+  std::vector<std::string> sentences;
+  for (const ResumeStep& step : steps)
+    if (step.state == ResumeStepState::Person &&
+        std::find(confirmed.begin(), confirmed.end(), step.name) == confirmed.end())
+      sentences.push_back("a person has to confirm '" + step.name + "': " + step.text);
+  return sentences;
 }
 
 }  // namespace lamina
