@@ -12,7 +12,6 @@ ResumeConditions robotAtRest() {
   found.is_executor_there = true;
   found.executor = "trajectory_driver";
   found.is_by_place = true;
-  found.is_place_proven = true;
   found.place = "it begins after 15 mm";
   return found;
 }
@@ -25,7 +24,7 @@ std::string statesOf(const ResumeConditions& found) {
 }
 
 TEST(ResumeSteps, AskAPersonForWhatNoMachineProves) {
-  EXPECT_EQ(statesOf(robotAtRest()), "link 1 place 1 part 2 ready 2 way 2 ");
+  EXPECT_EQ(statesOf(robotAtRest()), "link 1 place 2 part 2 ready 2 way 2 ");
   EXPECT_EQ(resumeSteps(robotAtRest())[1].text, "it begins after 15 mm");
 }
 
@@ -33,7 +32,7 @@ TEST(ResumeSteps, WaitForWhatIsNotThere) {
   ResumeConditions found = robotAtRest();
   found.is_executor_there = false;
   found.unready = {"bed is cold", "home is open"};
-  EXPECT_EQ(statesOf(found), "link 0 place 1 part 2 ready 0 way 2 ");
+  EXPECT_EQ(statesOf(found), "link 0 place 2 part 2 ready 0 way 2 ");
   EXPECT_EQ(resumeSteps(found)[3].text, "bed is cold; home is open");
   found.refusals = {"the part was taken away"};
   EXPECT_EQ(statesOf(found), "link 0 place 0 part 2 ready 0 way 2 ");
@@ -43,12 +42,24 @@ TEST(ResumeSteps, WaitForWhatIsNotThere) {
   EXPECT_EQ(resumeSteps(found)[1].state, ResumeStepState::Waits) << "nobody has said yet";
 }
 
-TEST(ResumeSteps, HaveAPersonDecideOnAPlaceThatIsNotProven) {
+TEST(ResumeSteps, TakeACounterOfLinesForAProof) {
   ResumeConditions found = robotAtRest();
-  found.is_place_proven = false;
-  EXPECT_EQ(statesOf(found), "link 1 place 2 part 2 ready 2 way 2 ");
   found.is_by_place = false;
-  EXPECT_EQ(statesOf(found), "link 1 place 1 part 2 ready 2 way 2 ") << "a counter of lines proves it";
+  EXPECT_EQ(statesOf(found), "link 1 place 1 part 2 ready 2 way 2 ");
+}
+
+TEST(ResumeSteps, AreConfirmedOneByOne) {
+  ResumeConditions found = robotAtRest();
+  const auto left = [&found](const std::vector<std::string>& confirmed) {
+    return unconfirmed(resumeSteps(found), confirmed).size();
+  };
+  EXPECT_EQ(left({}), 4U);
+  EXPECT_EQ(left({"way", "place"}), 2U);
+  EXPECT_EQ(left({"place", "part", "ready", "way"}), 0U);
+  EXPECT_EQ(unconfirmed(resumeSteps(found), {"part", "ready", "way"}),
+            std::vector<std::string>{"a person has to confirm 'place': it begins after 15 mm"});
+  found.unready = {"bed is cold"};
+  EXPECT_EQ(left({"place", "part", "way"}), 0U) << "what waits is for others to refuse";
 }
 
 TEST(ResumeSteps, ShowTheTemperatures) {

@@ -282,6 +282,7 @@ TEST(OperatorSite, AnswersWhatTheCellRefusesWithTheReasonAndWhatItWouldAccept) {
             "this host | POST /api/v1/commands: Start | refused 409: meant for another state");
   site.ask(HttpMethod::Post, "/api/v1/commands", page,
            R"({"command":"Start","cut_off":"resume","confirmed":["part","way"]})");
+  EXPECT_EQ(site.desk.orders().back(), "Start by page: this host cut_off 1 confirmed part, way");
   EXPECT_EQ(site.lastAudit(),
             "this host | POST /api/v1/commands: Start; confirmed: part, way | refused 409: meant for another "
             "state");

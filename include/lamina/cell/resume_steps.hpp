@@ -29,12 +29,16 @@ struct ResumeConditions {
   std::vector<std::string> refusals;  ///< why the job cannot be resumed
   std::vector<std::string> unready;   ///< steps of the start-up that are not satisfied, each with the reason
   bool is_by_place = false;           ///< where it goes on depends on where the machine stands
-  bool is_place_proven = false;       ///< the machine stands where the job was cut off
   std::string place;                  ///< where it goes on, in words
   std::string temperatures;           ///< as the machine reported them last; empty if it did not
 };
 
 /// The steps in the order in which they are to be looked at: link, place, part, heat and process, way.
 std::vector<ResumeStep> resumeSteps(const ResumeConditions& found);
+
+/// What stands against resuming for the steps that a person has to confirm and has not, a sentence each.
+/// Steps that are waited for are not among them.
+std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
+                                     const std::vector<std::string>& confirmed);
 
 }  // namespace lamina

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/cell/resume_steps.hpp"
 
+#include <algorithm>
+
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -13,12 +15,11 @@ ResumeStep linkStep(const ResumeConditions& found) {
   return {"link", ResumeStepState::Done, found.executor + " is there"};
 }
 
-/// Nothing proves a place that nobody answers for.
+/// A counter of lines proves a place. Where a robot stands does not: somebody may have moved it.
 ResumeStep placeStep(const ResumeConditions& found) {
   if (!found.refusals.empty()) return {"place", ResumeStepState::Waits, listed(found.refusals, "; ")};
   if (found.place.empty()) return {"place", ResumeStepState::Waits, "where the job goes on is not known yet"};
-  const bool is_proven = !found.is_by_place || found.is_place_proven;
-  return {"place", is_proven ? ResumeStepState::Done : ResumeStepState::Person, found.place};
+  return {"place", found.is_by_place ? ResumeStepState::Person : ResumeStepState::Done, found.place};
 }
 
 ResumeStep readyStep(const ResumeConditions& found) {
@@ -41,6 +42,16 @@ std::vector<ResumeStep> resumeSteps(const ResumeConditions& found) {
           {"part", ResumeStepState::Person, "the part stands where it stood, firm on the plate"},
           readyStep(found),
           {"way", ResumeStepState::Person, way}};
+}
+
+std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
+                                     const std::vector<std::string>& confirmed) {
+  std::vector<std::string> sentences;
+  for (const ResumeStep& step : steps)
+    if (step.state == ResumeStepState::Person &&
+        std::find(confirmed.begin(), confirmed.end(), step.name) == confirmed.end())
+      sentences.push_back("a person has to confirm '" + step.name + "': " + step.text);
+  return sentences;
 }
 
 }  // namespace lamina

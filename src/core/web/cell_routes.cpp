@@ -181,11 +181,11 @@ int cutOffOf(const json& body) {
   throw InvalidInput("cut_off is '" + word + "'; expected resume or discard");
 }
 
-/// What somebody has looked at before a resume, for the audit.
-std::string confirmedIn(const json& body) {
+/// What somebody has looked at before a resume.
+std::vector<std::string> confirmedIn(const json& body) {
   constexpr std::size_t kMost = 16;
   const auto confirmed = body.find("confirmed");
-  if (confirmed == body.end() || confirmed->is_null()) return "";
+  if (confirmed == body.end() || confirmed->is_null()) return {};
   std::vector<std::string> names;
   const bool is_list = confirmed->is_array() && confirmed->size() <= kMost;
   if (is_list)
@@ -194,7 +194,7 @@ std::string confirmedIn(const json& body) {
         names.push_back(name.get<std::string>());
   if (!is_list || names.size() != confirmed->size())
     throw InvalidInput("confirmed is no list of at most 16 names of steps, of 16 letters each");
-  return names.empty() ? "" : "; confirmed: " + listed(names);
+  return names;
 }
 
 WebResponse giveCommand(SiteCall& call) {
@@ -203,6 +203,7 @@ WebResponse giveCommand(SiteCall& call) {
   command.command = commandNamed(textOf(body, "command"));
   command.source = call.source();
   command.cut_off = cutOffOf(body);
+  command.confirmed = confirmedIn(body);
   if (command.command != UnitCommand::Hold && !mayDo(*call.who().role, WebRight::Operate))
     return errorAnswer(403, "wrong_role", std::string("a viewer may hold, and give no other command"));
   const auto sequence = body.find("if_sequence");
@@ -211,7 +212,8 @@ WebResponse giveCommand(SiteCall& call) {
       throw InvalidInput("if_sequence is not a whole number from 0 to 4294967295");
     command.expected_sequence = sequence->get<std::uint32_t>();
   }
-  const std::string note = toString(command.command) + confirmedIn(body);
+  std::string note = toString(command.command);
+  if (!command.confirmed.empty()) note += "; confirmed: " + listed(command.confirmed);
   return noted(orderAnswer(call, call.parts.desk.command(command)), note);
 }
 

@@ -38,6 +38,7 @@ constexpr double kFeedInterval = 1.0;            // [s] between two tries of a s
 constexpr double kResumeLook = 2.0;              // [s] between two looks at where a job is resumed
 constexpr int kEmergencyStopPressed = 1207;
 constexpr int kStartAtTheMachine = 1312;
+constexpr int kResumeUnconfirmed = 1315;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
 constexpr int kJournalDamaged = 7001;
@@ -73,6 +74,13 @@ ros::ServiceServer advertiseRemoval(ros::NodeHandle& node,
   ros::AdvertiseServiceOptions options;
   options.initBySpecType<RemovalEvent>(names::kConfirmRemoval, serve);
   return node.advertiseService(options);
+}
+
+/// Of what is being thrown; it is in the log, too.
+lamina_msgs::Status refused(const RequestName& request) {
+  const Failure failure = currentFailure();
+  ROS_ERROR_STREAM(refusalText(request, failure));
+  return toMessage(failure);
 }
 
 std::uint8_t numberOf(CommandResult result) { return static_cast<std::uint8_t>(result); }
@@ -240,6 +248,9 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   if (request.expected_sequence >= 0)
     asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
   if (*command == UnitCommand::Start) asked.unmet = againstStart(request.source);
+  if (*command == UnitCommand::Start && request.cut_off == Request::RESUME)
+    for (std::string& sentence : unconfirmed(resumeSteps(), request.confirmed))
+      asked.unmet.push_back({kResumeUnconfirmed, std::move(sentence)});
   const double late_s =
       request.expires.isZero() ? 0.0 : ros::WallTime::now().toSec() - request.expires.toSec();
   const bool is_too_late = late_s > 0.0 && precedence(*command) > precedence(UnitCommand::Hold);
@@ -272,9 +283,7 @@ bool CellController::onChange(lamina_msgs::ChangeQueue::Request& request,
   try {
     change(request);
   } catch (...) {
-    const Failure failure = currentFailure();
-    ROS_ERROR_STREAM(refusalText({"change job", std::to_string(request.job), ""}, failure));
-    response.status = toMessage(failure);
+    response.status = refused({"change job", std::to_string(request.job), ""});
   }
   is_queue_published_ = false;
   return true;
@@ -327,9 +336,7 @@ bool CellController::onJudge(lamina_msgs::JudgePart::Request& request,
     response.serial = judged.serial;
     response.before = judged.before;
   } catch (...) {
-    const Failure failure = currentFailure();
-    ROS_ERROR_STREAM(refusalText({"judge a part for", request.source, ""}, failure));
-    response.status = toMessage(failure);
+    response.status = refused({"judge a part for", request.source, ""});
   }
   return true;
 }
@@ -346,9 +353,7 @@ bool CellController::onRemoteAccess(lamina_msgs::SetRemoteAccess::Request& reque
     ROS_INFO_STREAM("remote access is " << (is_allowed ? "allowed" : "locked") << " by '" << request.source
                                         << "'");
   } catch (...) {
-    const Failure failure = currentFailure();
-    ROS_ERROR_STREAM(refusalText({"set remote access for", request.source, ""}, failure));
-    response.status = toMessage(failure);
+    response.status = refused({"set remote access for", request.source, ""});
   }
   publish();
   return true;
@@ -533,9 +538,9 @@ void CellController::followResume(CellTime now) {
     if (artefact.kind == "program") executor_->lookAtResume(artefacts_.pathOf(artefact), open->progress);
 }
 
-void CellController::addResume(lamina_msgs::PackmlStatus& status) const {
+std::vector<ResumeStep> CellController::resumeSteps() const {
   const auto open = cell_->resumeWaits() ? journal_.open() : std::nullopt;
-  if (!open) return;
+  if (!open) return {};
   ResumeConditions found;
   found.is_executor_there = !is_executor_lost_;
   found.executor = executor_->name();
@@ -543,10 +548,9 @@ void CellController::addResume(lamina_msgs::PackmlStatus& status) const {
   found.unready = surroundings().start.unready;
   const ResumeOutlook outlook = executor_->resumeOutlook();
   found.is_by_place = outlook.is_by_place;
-  found.is_place_proven = outlook.is_place_proven;
   found.place = outlook.is_by_place ? outlook.text : lineText(open->progress.taken_through);
   found.temperatures = temperaturesText(executor_->machine());
-  for (const ResumeStep& step : resumeSteps(found)) status.resume_steps.push_back(toMessage(step));
+  return lamina::resumeSteps(found);
 }
 
 void CellController::followTimeLeft() {
@@ -570,7 +574,7 @@ void CellController::publish() {
   lamina_msgs::PackmlStatus status =
       toMessage(*cell_, unit_settings_.modes, unit_settings_.hold_rule, clock_.now());
   addProgress(status);
-  addResume(status);
+  for (const ResumeStep& step : resumeSteps()) status.resume_steps.push_back(toMessage(step));
   status.header.stamp = stamp;
   published_sequence_ = status.sequence;
   published_s_ = clock_.now();

@@ -17,6 +17,7 @@
 #include "lamina/cell/alarm_sources.hpp"
 #include "lamina/cell/production_cell.hpp"
 #include "lamina/cell/queue_follower.hpp"
+#include "lamina/cell/resume_steps.hpp"
 #include "lamina/cell/time_left.hpp"
 #include "lamina/journal/artefact_store.hpp"
 #include "lamina/journal/cell_journal.hpp"
@@ -80,7 +81,7 @@ class CellController {
   void followTime();
   void watchExecutor(CellTime now);
   void addProgress(lamina_msgs::PackmlStatus& status) const;
-  void addResume(lamina_msgs::PackmlStatus& status) const;
+  std::vector<ResumeStep> resumeSteps() const;
   void publish();
   void publishQueue();
   std::vector<Artefact> correctionsOf(const QueuedJob& job, const ExecutionRow& execution);

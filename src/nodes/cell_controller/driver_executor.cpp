@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "driver_language.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr const char* kUnanswered = "trajectory_driver does not say where it would resume the job";
 
 const char* nameOf(Placement placement) { return placement == Placement::AsIs ? "as_is" : "centre"; }
 
@@ -19,7 +22,8 @@ DriverExecutor::DriverExecutor(const ros::NodeHandle& node, Placement placement,
                                std::function<void(const ExecutorReport&)> report)
     : ActionExecutor(node, names::kDriveToolpath, driverLanguage(), std::move(report)),
       placement_(placement),
-      place_(ros::NodeHandle(node).serviceClient<lamina_msgs::ResumePlace>(names::kResumePlace)) {}
+      place_(ros::NodeHandle(node).serviceClient<lamina_msgs::ResumePlace>(names::kResumePlace)),
+      refusal_(kUnanswered) {}
 
 ExecutorTraits DriverExecutor::traits() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -29,6 +33,12 @@ ExecutorTraits DriverExecutor::traits() const {
 void DriverExecutor::lookAtResume(const std::string& program, const ExecutionProgress& progress) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    std::string job = program + ' ' + numberText(progress.path_mm);
+    if (job != job_) {
+      refusal_ = kUnanswered;
+      outlook_ = {true, ""};
+      job_ = std::move(job);
+    }
     if (std::exchange(is_asked_, true)) return;
   }
   looks_.give([this, program, laid_m = 1e-3 * progress.path_mm] {
@@ -36,11 +46,10 @@ void DriverExecutor::lookAtResume(const std::string& program, const ExecutionPro
     call.request.program = program;
     call.request.placement = nameOf(placement_);
     call.request.laid_length = laid_m;
-    if (!callService(place_.getService(), call))
-      call.response.status.message = "trajectory_driver does not say where it would resume the job";
+    if (!callService(place_.getService(), call)) call.response.status.message = kUnanswered;
     const std::lock_guard<std::mutex> lock(mutex_);
     refusal_ = call.response.status.message;
-    outlook_ = {true, call.response.is_found != 0, call.response.text};
+    outlook_ = {true, call.response.text};
     is_asked_ = false;
   });
 }

@@ -33,8 +33,9 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
   Placement placement_;
   ros::ServiceClient place_;
   mutable std::mutex mutex_;  ///< of what follows
-  ResumeOutlook outlook_{true, false, ""};
+  ResumeOutlook outlook_{true, ""};
   std::string refusal_;
+  std::string job_;        ///< program and progress that both are about
   bool is_asked_ = false;  ///< and not answered
   // Last, so that it ends before what it uses.
   OrderThread looks_;

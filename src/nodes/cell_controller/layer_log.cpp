@@ -32,8 +32,10 @@ LayerLog::LayerLog(ros::NodeHandle node, CellJournal& journal)
 
 void LayerLog::follow(std::optional<std::int64_t> execution, const lamina_msgs::MachineState& machine) {
   ended_ = execution ? std::nullopt : execution_;
-  if (execution) toolpath_id_.clear();
-  is_late_ = false;
+  if (execution) {
+    toolpath_id_.clear();
+    is_late_ = false;
+  }
   execution_ = execution;
   layer_ = -1;
   if (execution_) keepStartup(machine);
@@ -106,7 +108,9 @@ void LayerLog::keep(const LayerRow& row) {
 void LayerLog::keepMeasured(const LayerRow& row, const std::string& toolpath_id) {
   if (execution_) {
     toolpath_id_ = toolpath_id;
-    return keep(row);
+    keep(row);
+    // The record may be there, and the end not followed yet.
+    return write([&] { is_late_ = is_late_ || log_.part(*execution_); });
   }
   if (!ended_ || toolpath_id_.empty() || toolpath_id != toolpath_id_) return;
   write([&] { log_.setLayer(*ended_, row); });
@@ -114,7 +118,7 @@ void LayerLog::keepMeasured(const LayerRow& row, const std::string& toolpath_id)
 }
 
 std::optional<std::int64_t> LayerLog::takeLate() {
-  return std::exchange(is_late_, false) ? ended_ : std::nullopt;
+  return ended_ && std::exchange(is_late_, false) ? ended_ : std::nullopt;
 }
 
 void LayerLog::write(const std::function<void()>& rows) {

@@ -18,9 +18,8 @@ struct FeedAnswer {
 
 /// Where an interrupted job would be resumed.
 struct ResumeOutlook {
-  bool is_by_place = false;      ///< whether that depends on where the machine stands
-  bool is_place_proven = false;  ///< whether the machine stands where the job was interrupted
-  std::string text;              ///< the place, for people
+  bool is_by_place = false;  ///< whether that depends on where the machine stands
+  std::string text;          ///< the place, for people
 };
 
 /// The node that runs a cell's jobs on its machine, as the cell sees it. No call waits for the node.

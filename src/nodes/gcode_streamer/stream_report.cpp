@@ -27,6 +27,8 @@ StatusNews StreamReport::take(const StreamStatus& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
   // It was read before the end, and comes after it.
   if (isFinal(status_.state) && !isFinal(status.state)) return {};
+  // What the port says before the session has begun: to who follows the job, Idle is another process.
+  if (status.state == PackmlState::Idle) return {};
   StatusNews news;
   news.is_state = status.state != status_.state;
   news.is_warning = !status.warning.empty() && status.warning != status_.warning;

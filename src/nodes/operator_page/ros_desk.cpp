@@ -292,6 +292,7 @@ DeskAnswer RosDesk::command(const DeskCommand& command) {
   call.request.source = command.source;
   call.request.expected_sequence = command.expected_sequence ? std::int64_t{*command.expected_sequence} : -1;
   call.request.cut_off = static_cast<std::uint8_t>(command.cut_off);
+  call.request.confirmed = command.confirmed;
   // By then whoever asked has the report that nobody has answered.
   call.request.expires = ros::Time(ros::WallTime::now().toSec() + patience_s_);
   return callUnit({toString(command.command), effectOf(command.command)}, names::kPackmlCommand, call);

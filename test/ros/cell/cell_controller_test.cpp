@@ -506,6 +506,8 @@ TEST(CellController, OffersTheJobOfAKilledStreamerAndRunsEachLineOnce) {
   ASSERT_TRUE(cell.reaches("Stopped"));
   cell.bringToIdle();
   EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
+  const std::string unseen = cell.refusalOf(Command::START, "somebody", Command::RESUME);
+  EXPECT_NE(unseen.find("a person has to confirm 'part'"), std::string::npos) << unseen;
   ASSERT_TRUE(cell.starts(Command::RESUME));
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_EQ(cell.machine.commands(), commandsOf(program));

@@ -24,13 +24,17 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/scratch_folder.hpp"
+#include "lamina/journal/cell_journal.hpp"
+#include "lamina/journal/execution_log.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros/loop/streamed_machine.hpp"
 #include "ros/node_process.hpp"
 #include "ros/ros_home.hpp"
 #include "ros/wait_until.hpp"
+#include "service_call.hpp"
 #include "web/raw_client.hpp"
 
 namespace lamina {
@@ -148,6 +152,30 @@ class CellWithPage {
     form += "--b\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + name + "\"\r\n\r\n" +
             program + "\r\n--b--\r\n";
     return ask("POST", "/api/v1/jobs", form, "multipart/form-data; boundary=b");
+  }
+  /// The body of what is no JSON.
+  std::string text(const std::string& target) const {
+    const test::RawClient client(web_port);
+    client.send("GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    const std::string answer = client.answer();
+    return answer.substr(std::min(answer.size(), answer.find("\r\n\r\n")));
+  }
+  /// The status of what the owner of a token asks for.
+  int statusOfPost(const std::string& target, const std::string& body, const std::string& token) const {
+    const test::RawClient client(web_port);
+    client.send("POST " + target + " HTTP/1.1\r\nHost: localhost\r\nX-Api-Key: " + token +
+                "\r\nContent-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) +
+                "\r\n\r\n" + body);
+    return std::stoi(client.answer().substr(9, 3));
+  }
+  /// Starts a job of eight layers.
+  void beginPart() {
+    ASSERT_TRUE(reaches("Stopped"));
+    ASSERT_EQ(upload(wallProgram(8), "wall.gcode").first, 201);
+    ASSERT_EQ(ask("POST", "/api/v1/jobs/1/release").first, 200);
+    ASSERT_EQ(command("Reset").first, 200);
+    ASSERT_TRUE(reaches("Idle"));
+    ASSERT_TRUE(starts());
   }
   const std::string& space() const { return space_; }
 
@@ -360,18 +388,23 @@ TEST(OperatorPage, ShowsMeasuredLayersAndPicturesOfTheCamera) {
   EXPECT_EQ(cell.upload(std::string(2 << 20, ';'), "large.gcode").first, 413);
 }
 
-TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
-  CellWithPage cell(
-      "tokens", 20.0,
-      {"_auth/loopback:=token", "_api/octoprint_print:=release", "_web/hosts:=cell.example.org"});
-  FILE* command = popen((std::string(LAMINA_TOKEN_COMMAND) + " token add --role operator --name anna " +
+/// A token of anna, made by the command; empty if it made none.
+std::string tokenOf(const CellWithPage& cell, const std::string& role) {
+  FILE* command = popen((std::string(LAMINA_TOKEN_COMMAND) + " token add --role " + role + " --name anna " +
                          cell.folder.path() + "/cell 2>/dev/null")
                             .c_str(),
                         "r");
   std::array<char, 128> line{};
-  ASSERT_NE(std::fgets(line.data(), line.size(), command), nullptr);
+  EXPECT_NE(std::fgets(line.data(), line.size(), command), nullptr);
   EXPECT_EQ(pclose(command), 0);
-  const std::string token(line.data(), std::strcspn(line.data(), "\n"));
+  return {line.data(), std::strcspn(line.data(), "\n")};
+}
+
+TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
+  CellWithPage cell(
+      "tokens", 20.0,
+      {"_auth/loopback:=token", "_api/octoprint_print:=release", "_web/hosts:=cell.example.org"});
+  const std::string token = tokenOf(cell, "operator");
   const std::string form =
       "--b\r\nContent-Disposition: form-data; name=\"print\"\r\n\r\ntrue\r\n--b\r\n"
       "Content-Disposition: form-data; name=\"file\"; filename=\"sent.gcode\"\r\n\r\n" +
@@ -384,6 +417,86 @@ TEST(OperatorPage, TakesTokensThatTheCommandHasMade) {
               std::to_string(form.size()) + "\r\n\r\n" + form);
   const std::string answer = slicer.answer();
   EXPECT_NE(answer.find("\"is_released\":true"), std::string::npos) << answer;
+}
+
+lamina_msgs::LayerHeight scanOf(const std::string& toolpath, double mean_error) {
+  lamina_msgs::LayerHeight scan;
+  scan.toolpath_id = toolpath;
+  scan.mean_error = mean_error;
+  return scan;
+}
+
+/// A scan of a layer comes after the end, and joins the record if it is of what was measured before.
+TEST(OperatorPage, ShowsALayerThatIsMeasuredAfterTheEnd) {
+  CellWithPage cell("scanned", 20.0);
+  ros::NodeHandle node(cell.space());
+  auto scans = node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, 10);
+  cell.beginPart();
+  ASSERT_EQ(cell.command("Hold").first, 200);
+  ASSERT_TRUE(cell.reaches("Held"));
+  EXPECT_TRUE(waitUntil([&] {
+    scans.publish(scanOf("wall", 1.25e-4));
+    CellJournal journal = CellJournal::read(cell.folder.path() + "/cell/cell.db");
+    const auto layers = ExecutionLog(journal).layers(1);
+    return std::any_of(layers.begin(), layers.end(),
+                       [](const LayerRow& layer) { return layer.mean_mm == 0.125; });
+  }));
+  ASSERT_EQ(cell.command("Unhold").first, 200);
+  ASSERT_TRUE(cell.reaches("Complete"));
+  const auto has = [&](const char* error) {
+    ros::WallDuration(0.06).sleep();
+    return cell.text("/api/v1/jobs/1/layers").find(error) != std::string::npos;
+  };
+  EXPECT_TRUE(has(",0.125,"));
+  EXPECT_TRUE(waitUntil([&] {
+    scans.publish(scanOf("another", 5e-4));
+    scans.publish(scanOf("wall", 3.75e-4));
+    return has(",0.375,");
+  }));
+  EXPECT_FALSE(has(",0.5,")) << "of another toolpath";
+  EXPECT_EQ(std::system((std::string(LAMINA_COMMAND) + " audit " + cell.folder.path() + "/cell").c_str()), 0);
+}
+
+/// Why a verdict is refused that a node gives; empty if it is not.
+std::string refusalOfVerdict(const CellWithPage& cell, const std::string& verdict,
+                             const std::string& source) {
+  lamina_msgs::JudgePart call;
+  call.request.verdict = verdict;
+  call.request.source = source;
+  EXPECT_TRUE(callService(cell.space() + '/' + names::kJudgePart, call));
+  return call.response.status.message;
+}
+
+TEST(OperatorPage, TakesTheVerdictOfWhoMayJudge) {
+  CellWithPage cell("judged", 100.0);
+  ASSERT_TRUE(cell.reaches("Stopped"));
+  const std::string target = "/api/v1/jobs/1/verdict";
+  const std::string scrap = R"({"verdict":"scrap","reason":"a hole"})";
+  EXPECT_EQ(refusalOfVerdict(cell, "good", "anna"), "no part was made yet");
+  cell.beginPart();
+  ASSERT_TRUE(cell.reaches("Complete"));
+  EXPECT_EQ(cell.statusOfPost(target, scrap, tokenOf(cell, "viewer")), 403);
+  EXPECT_NE(refusalOfVerdict(cell, "good", "").find("nobody is named"), std::string::npos);
+  EXPECT_NE(refusalOfVerdict(cell, "fine", "anna").find("expected good, scrap or rework"), std::string::npos);
+  EXPECT_EQ(cell.ask("GET", "/api/v1/records").second["records"][0]["verdict"], "good");
+  EXPECT_EQ(cell.ask("POST", target, scrap).first, 200);
+  const json record = json::parse(cell.text("/api/v1/jobs/1/record"), nullptr, false);
+  ASSERT_TRUE(record.is_object());
+  EXPECT_EQ(record["verdict"]["value"], "scrap");
+  EXPECT_EQ(record["verdict"]["before"], "good");
+  EXPECT_EQ(record["verdict"]["reason"], "a hole");
+  EXPECT_EQ(refusalOfVerdict(cell, "rework", "anna"), "");
+  // Who, and with which words, in the audit of the cell.
+  const std::string rows =
+      "import sqlite3, sys; print(sqlite3.connect(sys.argv[1]).execute("
+      "\"SELECT who, result FROM audit WHERE what LIKE ?\", (\"verdict%\",)).fetchall())";
+  const std::string kept = cell.folder.path() + "/rows";
+  EXPECT_EQ(
+      std::system(
+          ("/usr/bin/python3 -c '" + rows + "' " + cell.folder.path() + "/cell/cell.db > " + kept).c_str()),
+      0);
+  EXPECT_EQ(readFile(kept),
+            "[('page: this host', 'scrap, was good: a hole'), ('anna', 'rework, was scrap')]\n");
 }
 
 TEST(OperatorPage, IsServedByHttpsWithACertificateOfItsOwnAndNotBeyondThisHostWithout) {

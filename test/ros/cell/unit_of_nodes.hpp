@@ -78,9 +78,12 @@ class UnitOfNodes {
   }
   std::string journalFile() const { return folder.path() + "/cell/cell.db"; }
 
+  /// Of a resume all is confirmed that a person has to, as it was seen last.
   /// @return the result; 0 if the node did not answer
   int command(std::uint8_t command, std::uint8_t cut_off = Command::UNDECIDED, std::int64_t expected = -1) {
     lamina_msgs::PackmlCommand call;
+    for (const lamina_msgs::ResumeStep& step : status.resume_steps)
+      if (step.state == lamina_msgs::ResumeStep::PERSON) call.request.confirmed.push_back(step.name);
     call.request.command = command;
     call.request.source = "test";
     call.request.cut_off = cut_off;
@@ -90,9 +93,11 @@ class UnitOfNodes {
     return call.response.result;
   }
   /// Why a command of somebody else is refused; empty if it is accepted.
-  std::string refusalOf(std::uint8_t command, const std::string& source) {
+  std::string refusalOf(std::uint8_t command, const std::string& source,
+                        std::uint8_t cut_off = Command::UNDECIDED) {
     lamina_msgs::PackmlCommand call;
     call.request.command = command;
+    call.request.cut_off = cut_off;
     call.request.source = source;
     call.request.expected_sequence = -1;
     return callService(space_ + '/' + names::kPackmlCommand, call) ? call.response.message : "no answer";

@@ -85,6 +85,7 @@ class DriveCell {
     goal.toolpath_id = id;
     goal.dry = dry;
     goal.speed = speed;
+    goal.from_waypoint = from_waypoint;
     state.clear();
     client_.sendGoal(goal);
   }
@@ -148,12 +149,13 @@ class DriveCell {
   std::unique_ptr<const KinematicModel> model;
   std::vector<Report> reports;  ///< of machine and process
   std::string state;
-  std::string dry;                      ///< how what is asked for is run dry
-  double speed = 0.0;                   ///< of that
-  std::size_t findings = 0;             ///< markers
-  std::size_t grown = 0;                ///< markers of the part
-  std::size_t processes = 0;            ///< that were sent to the controller
-  lamina_msgs::TrackingError tracking;  ///< last
+  std::string dry;                           ///< how what is asked for is run dry
+  double speed = 0.0;                        ///< of that
+  std::vector<std::uint32_t> from_waypoint;  ///< where what is asked for is begun
+  std::size_t findings = 0;                  ///< markers
+  std::size_t grown = 0;                     ///< markers of the part
+  std::size_t processes = 0;                 ///< that were sent to the controller
+  lamina_msgs::TrackingError tracking;       ///< last
 
  private:
   /// Index of the first report that is younger than the last change of state.

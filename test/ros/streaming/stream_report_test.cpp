@@ -57,6 +57,16 @@ TEST_F(StreamReportTest, RepeatsNoEndUnderTheNameOfTheNextJob) {
   EXPECT_EQ(published_[2].lines_acknowledged, 0U);
 }
 
+/// What waits at the port may be read before the session begins.
+TEST_F(StreamReportTest, NeverGoesBackToIdleWithinAJob) {
+  report_.begin("part");
+  EXPECT_FALSE(report_.take(streamIn(PackmlState::Idle)).is_state);
+  report_.take(streamIn(PackmlState::Starting));
+  report_.publish();
+  report_.take(streamIn(PackmlState::Execute));
+  EXPECT_EQ(said(), (std::vector<std::string>{"part: Starting", "part: Starting", "part: Execute"}));
+}
+
 TEST_F(StreamReportTest, PublishesOnlyAnotherState) {
   report_.begin("part");
   StreamStatus status = streamIn(PackmlState::Starting, 1);

@@ -71,12 +71,13 @@ JointValues ResumeDesk::rest(double wait_s) const {
   }
 }
 
-/// Where layers were planned anew, the file does not say what was laid.
+/// Where heights were corrected or layers planned anew, the file does not say where the nozzle was.
 void ResumeDesk::requireResumable() const {
-  if (settings_.is_corrected && settings_.follows_plans)
+  if (settings_.is_corrected)
     throw InvalidInput(
-        "with corrections.follow_plans layers may have been planned anew, which the file does not have; "
-        "discard the job");
+        "with corrections.use heights may have been corrected and layers planned anew, which the file does "
+        "not "
+        "have; discard the job");
 }
 
 ResumePlace ResumeDesk::placeBy(const LaidBeads& beads, const Eigen::Isometry3d& bed_from_part, double laid_m,

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Toolpaths that are begun on a bead, and what the driver says of the place.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "lamina/base/scratch_folder.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "ros/drive/two_beads.hpp"
+#include "service_call.hpp"
+
+namespace lamina {
+namespace {
+
+using lamina_msgs::Status;
+using test::DriveCell;
+using test::kHeight;
+using test::twoBeads;
+using test::waitUntil;
+
+constexpr char kSpace[] = "/table";
+const double kArea = crossSection({1.0, kHeight});  // mm^2 of a bead
+
+/// What the driver says of a file of two beads, of which 13 mm were reported.
+lamina_msgs::ResumePlace::Response placeOn(double height_mm) {
+  const ScratchFolder folder;
+  lamina_msgs::ResumePlace call;
+  call.request.program = folder.path() + "/beads.csv";
+  call.request.placement = "as_is";
+  call.request.laid_length = 0.013;
+  {
+    std::ofstream file(call.request.program);
+    writeCsv(twoBeads(height_mm), [&file](std::string_view piece) { file << piece; });
+  }
+  EXPECT_TRUE(callService(std::string(kSpace) + '/' + names::kResumePlace, call));
+  return call.response;
+}
+
+TEST(ResumedDrive, BeginsAtTheWaypointThatIsNamedAndReportsWhatItLays) {
+  lamina_msgs::PrintProgress printed;
+  const boost::function<void(const lamina_msgs::PrintProgressConstPtr&)> on_printed =
+      [&printed](const auto& message) { printed = *message; };
+  ros::NodeHandle node(kSpace);
+  const ros::Subscriber subscriber =
+      node.subscribe<lamina_msgs::PrintProgress>(names::kPrintProgress, 100, on_printed);
+  DriveCell cell("table", "five_axis_head_table");
+  cell.from_waypoint = {0, 2, 0};  // of the second bead
+  cell.drive(twoBeads());
+  ASSERT_TRUE(cell.ends());
+  ASSERT_EQ(cell.result().status.code, Status::OK + 0) << cell.result().status.message;
+  ASSERT_TRUE(cell.comesTo("Complete")) << cell.state;
+  std::size_t deposited = 0;
+  for (const DriveCell::Report& report : cell.reports) {
+    if (report.process.flow == 0.0) continue;
+    ++deposited;
+    EXPECT_GT(cell.tip(report).y(), 30.0) << "of the first bead, which is left out";
+  }
+  EXPECT_GT(deposited, 15U);
+  // Both beads of 40 mm count as laid, and the material of the second one as used.
+  EXPECT_TRUE(waitUntil([&] { return std::abs(printed.laid_length - 0.080) < 1e-6; })) << printed.laid_length;
+  EXPECT_NEAR(printed.laid_volume, 40e-9 * kArea, 0.4e-9 * kArea);
+  // It stands at the end of the last bead.
+  const auto here = placeOn(kHeight);
+  EXPECT_EQ(here.status.message, "");
+  EXPECT_TRUE(here.is_found);
+  EXPECT_NEAR(here.begin_length, 0.080, 1e-6);
+  EXPECT_EQ(here.text, "all 80 mm of its beads are laid");
+  // On another height it does not: 2 mm before what was reported.
+  const auto elsewhere = placeOn(kHeight + 10.0);
+  EXPECT_EQ(elsewhere.status.message, "");
+  EXPECT_FALSE(elsewhere.is_found);
+  EXPECT_NEAR(elsewhere.begin_length, 0.011, 1e-9);
+  EXPECT_EQ(elsewhere.waypoint, 1U);
+}
+
+TEST(ResumedDrive, RefusesWaypointsThatTheToolpathDoesNotHave) {
+  DriveCell cell("table", "five_axis_head_table");
+  cell.from_waypoint = {0, 2};
+  cell.drive(twoBeads());
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, Status::INVALID_INPUT + 0);
+  EXPECT_EQ(cell.result().status.message, "from_waypoint has 2 numbers; expected layer, path and waypoint");
+  cell.from_waypoint = {0, 9, 0};
+  cell.drive(twoBeads());
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, Status::INVALID_INPUT + 0) << cell.result().status.message;
+}
+
+}  // namespace
+}  // namespace lamina
