@@ -19,6 +19,7 @@
 #include "job/laps.hpp"
 #include "job/modes/automatic_planning.hpp"
 #include "job/modes/part_slicing.hpp"
+#include "job/part/belt_travels.hpp"
 #include "job/passages/passage_check.hpp"
 #include "job/run_changes.hpp"
 #include "job/settings_of_language.hpp"
@@ -212,6 +213,12 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
   addHooks(sliced.toolpath, settings.hooks, site);
 }
 
+void leadForward(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space) {
+  std::optional<double> scan_clearance_mm;
+  if (settings.scan.every_layers > 0) scan_clearance_mm = settings.scan.clearance_mm;
+  keepBeltForward(sliced.toolpath, space, sliced.bed_from_part, settings.motion, scan_clearance_mm);
+}
+
 std::optional<JointProgram> jointProgramOf(const SliceJob& job, const BuildSpace& space, SlicedPart& sliced,
                                            Progress& progress) {
   try {
@@ -267,12 +274,15 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   SlicedPart sliced = slice(job, space, progress);
   changeRunsOf(sliced, job.settings, space);
   limitFlowOf(sliced, job.settings, progress);
+  leadForward(sliced, job.settings, space);
   coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
   stateLevels(sliced.toolpath, job.settings.runs.levels);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program,
                          job.settings.plate.order);
   hookPart(sliced, job.settings, space);
+  // Once more, for the ways to where the nozzle waits.
+  leadForward(sliced, job.settings, space);
   if (job.settings.program.states_progress && isGcodeFile(job.output))
     addProgressMarks(sliced.toolpath, job.settings.program.dialect, job.settings.motion);
   const std::optional<JointProgram> joint_program = jointProgramOf(job, space, sliced, progress);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
@@ -92,7 +93,11 @@ TEST(Copies, TheBeltGoesOnBeforeTheNozzleGoesAcross) {
   EXPECT_TRUE(travel.process.is_retracted);
   const CartesianMachine machine = machineByName("belt_45");
   const auto axesAt = [&](const Point3& point) { return axisValues(machine, two.bed_from_part * point); };
-  const AxisValues start = axesAt(travel.points[0]);
+  // In the wait at the end of the first copy the belt goes on already.
+  const std::vector<Path>& before = two.toolpath.layers[layers - 1].paths;
+  const auto bead = std::find_if(before.rbegin(), before.rend(),
+                                 [](const Path& path) { return path.role != PathRole::Travel; });
+  const AxisValues start = axesAt(bead->lastPoint());
   const AxisValues amid = axesAt(travel.points[1]);
   EXPECT_LT((amid - start).head<2>().norm(), 1e-9);
   EXPECT_NEAR(amid.z() - start.z(), 7.0, 1e-4);
