@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A wall of 150 mm radius that leans out from 0 to 60 deg, laid at 8 mm/s in a cell with a two-axis
 // positioner: how far the nozzle is from straight down, how the plate turns, and the feed over the bed, all
-// by forward kinematics; the same with the table held. The argument is the cell file.
+// by forward kinematics, for rings that begin at each of 24 azimuths; the same with the table held. The
+// argument is the cell file.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -103,10 +104,9 @@ void printTurns(const KinematicModel& model, const DividedJointPath& planned) {
   }
   std::printf(
       "nozzle off straight down %.3f deg at most; steps of the plate %.3f to %.3f deg; of the arm's joints "
-      "%.3f "
-      "deg at most; %zu waypoints, %zu rewinds\n",
-      toDegrees(off), toDegrees(lowest), toDegrees(highest), toDegrees(step), joints.values.size(),
-      joints.rewinds);
+      "%.3f deg at most; tip off its line %.4f mm at most; %zu waypoints, %zu rewinds\n",
+      toDegrees(off), toDegrees(lowest), toDegrees(highest), toDegrees(step), planned.greatest.tip_mm,
+      joints.values.size(), joints.rewinds);
 }
 
 /// Away from the ends of rings.
@@ -138,21 +138,26 @@ void printFeeds(const KinematicModel& model, const DividedJointPath& planned) {
               least, most, turns[turns.size() / 2]);
 }
 
-void runWall(const KinematicModel& model, ExternalChoice choice) {
+void runWall(const KinematicModel& model, ExternalChoice choice, int starts) {
   JointPathSettings settings;
   settings.external = choice;
   NoProgress nobody;
-  for (double start = -15.0; start < 345.0; start += 15.0) {
+  int runnable = 0;
+  for (int i = 0; i < starts; ++i) {
+    const double start = -15.0 + 15.0 * i;
     const DividedJointPath planned = planDividedJointPath(
         leaningWall(start * kDegree), Eigen::Isometry3d::Identity(), model, settings, nobody);
     std::printf("rings from %.0f deg: ", start);
     if (planned.joints.isRunnable()) {
+      ++runnable;
       printTurns(model, planned);
-      return printFeeds(model, planned);
+      printFeeds(model, planned);
+      continue;
     }
     std::printf("refused at %zu of %zu waypoints: %s\n", planned.joints.faults.size(),
                 planned.joints.at.size(), planned.joints.faults.front().reason.c_str());
   }
+  std::printf("laid from %d of %d starts\n", runnable, starts);
 }
 
 }  // namespace
@@ -165,9 +170,9 @@ int main(int count, char** arguments) {
   try {
     const auto model = kinematicModelFromUrdf(readMachineDescription(arguments[1]));
     std::printf("joints.external gravity\n");
-    runWall(*model, ExternalChoice::Gravity);
+    runWall(*model, ExternalChoice::Gravity, 24);
     std::printf("held\n");
-    runWall(*model, ExternalChoice::Held);
+    runWall(*model, ExternalChoice::Held, 1);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
@@ -138,6 +142,55 @@ TEST(GravityTable, TiltsToTheSideOnWhichTheTipIsNearerToTheArm) {
             base_from_bed.translation().head<2>().norm());
 }
 
+constexpr double kPlateLimit = 200.0 * kDegree;
+
+/// A positioner whose plate turns by 200 deg to either side, with the bed 50 mm above the middle of its
+/// plate.
+std::unique_ptr<KinematicModel> limitedTable() {
+  std::string urdf = test::tiltingArm({"-2.3", "2.3", "3.490658503988659"});
+  const std::string aside = "xyz=\"0.8 0.1 0.05\" rpy=\"0 0 0.3\"";
+  urdf.replace(urdf.find(aside), aside.size(), "xyz=\"0 0 0.05\"");
+  return kinematicModelFromUrdf(urdf);
+}
+
+// Seen along the tilt's axis the wall under the nozzle has to be on the side of the arm, which is at -x: at
+// an azimuth a the plate is at 180 deg - a. A ring from 0 deg on turns it from 180 to -180 deg. Rings that
+// lean by little more than the cone leave the plate room to lag by most of a turn, which later ones must not.
+TEST(GravityTable, APlateWithLimitsIsTurnedBackBetweenRingsAndNeverOnOne) {
+  const auto model = limitedTable();
+  const std::vector<double> leans{0.0, 12.0, 14.0, 20.0, 45.0, 60.0};
+  std::vector<Station> wall;
+  for (const double lean : leans) {
+    std::vector<Station> ring = ringLeaning(lean * kDegree, 0.0);
+    ring.front().motion.way = StationWay::ClearTravel;
+    wall.insert(wall.end(), ring.begin(), ring.end());
+  }
+  const std::vector<TableValues> values = tableValues(gravityTable(*model), wall, {kCone, 0.0});
+  ASSERT_EQ(values.size(), 73 * leans.size());
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    EXPECT_LE(offDown(*model, wall[i], values[i]), kCone + 1e-9) << i;
+    EXPECT_LE(std::abs(values[i].turn), kPlateLimit + 1e-9) << i;
+    if (wall[i].motion.way == StationWay::ClearTravel) continue;
+    EXPECT_LE(values[i].turn - values[i - 1].turn, 1e-9) << i;
+  }
+  for (const std::size_t ring : {3U, 4U, 5U}) {
+    EXPECT_NEAR(toDegrees(values[73 * ring].turn), 180.0, 1e-6);
+    EXPECT_NEAR(toDegrees(values[73 * ring + 72].turn), -180.0, 1e-6);
+  }
+}
+
+// From an azimuth of 30 deg on the plate would have to turn from 150 to -210 deg, which is 10 deg beyond its
+// limit. At a lean of 45 deg that is acos(1/2 + 1/2 cos 10 deg) = 7.07 deg off straight down.
+TEST(GravityTable, APlateAtItsLimitLagsWithinTheCone) {
+  const auto model = limitedTable();
+  const std::vector<Station> ring = ringLeaning(45.0 * kDegree, 30.0 * kDegree);
+  const std::vector<TableValues> values = tableValues(gravityTable(*model), ring, {kCone, 0.0});
+  EXPECT_NEAR(toDegrees(values.front().turn), 150.0, 1e-6);
+  EXPECT_NEAR(toDegrees(values.back().turn), -200.0, 1e-6);
+  EXPECT_NEAR(toDegrees(offDown(*model, ring.back(), values.back())), 7.066, 1e-3);
+  for (std::size_t i = 1; i < ring.size(); ++i) EXPECT_LT(values[i].turn, values[i - 1].turn) << i;
+}
+
 TEST(GravityTable, OtherTablesAreRefusedByName) {
   EXPECT_THROW(gravityTable(*kinematicModelByName("irb_4600_turntable")), InvalidConfig);
   EXPECT_THROW(gravityTable(*kinematicModelByName("five_axis_head_table")), InvalidConfig);
@@ -150,19 +203,79 @@ TEST(GravityTable, OtherTablesAreRefusedByName) {
 }
 
 /// A bead once around.
-Toolpath ringToolpath(double lean) {
+Path ringPath(double lean, double first_azimuth = 0.0) {
   Path path;
   path.role = PathRole::OuterWall;
   path.feed_mm_s = 10.0;
   path.bead = Bead{3.0, 1.0};
   std::vector<Eigen::Quaterniond> nozzles;
   for (int i = 0; i <= 36; ++i) {
-    const Station station = stationAt(10.0 * i * kDegree, lean);
+    const Station station = stationAt(first_azimuth + 10.0 * i * kDegree, lean);
     path.points.push_back(station.position);
     nozzles.push_back(station.orientation);
   }
   path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));
-  return {"ring", {{10.0, 1.0, {path}}}};
+  return path;
+}
+
+Toolpath ringToolpath(double lean) { return {"ring", {{10.0, 1.0, {ringPath(lean)}}}}; }
+
+/// Rings of growing lean that begin at an azimuth, each a layer, with travels 20 mm above between them.
+Toolpath wallToolpath(const std::vector<double>& leans_deg, double first_azimuth) {
+  Toolpath wall{"wall", {}};
+  for (const double lean : leans_deg) {
+    Path ring = ringPath(lean * kDegree, first_azimuth);
+    const double z = 1.0 + static_cast<double>(wall.layers.size());
+    for (Point3& point : ring.points) point.z() = z;
+    ToolpathLayer layer{z, 1.0, {}};
+    if (!wall.layers.empty()) {
+      const Path& before = wall.layers.back().paths.back();
+      Path travel;
+      travel.role = PathRole::Travel;
+      travel.feed_mm_s = 50.0;
+      const Point3 up(0.0, 0.0, 20.0);
+      travel.points = {before.points.back(), before.points.back() + up, ring.points.front() + up,
+                       ring.points.front()};
+      const Eigen::Quaterniond from = before.orientation.at(0);
+      const Eigen::Quaterniond to = ring.orientation.at(0);
+      travel.orientation = AlongPath<Eigen::Quaterniond>({from, from, to, to});
+      layer.paths.push_back(std::move(travel));
+    }
+    layer.paths.push_back(std::move(ring));
+    wall.layers.push_back(std::move(layer));
+  }
+  return wall;
+}
+
+JointPath jointsOfWall(double first_azimuth_deg) {
+  JointPathSettings settings;
+  settings.external = ExternalChoice::Gravity;
+  NoProgress nobody;
+  const Toolpath wall = wallToolpath({0.0, 12.0, 20.0, 40.0}, first_azimuth_deg * kDegree);
+  return planJointPath(wall, Eigen::Isometry3d::Identity(), *limitedTable(), settings, nobody);
+}
+
+TEST(GravityTable, AWallIsLaidWithinTheLimitsOfItsPlate) {
+  const JointPath path = jointsOfWall(0.0);
+  ASSERT_TRUE(path.isRunnable()) << path.faults.front().reason;
+  EXPECT_GE(path.rewinds, 1U);
+  for (std::size_t i = 1; i < path.at.size(); ++i) {
+    EXPECT_LE(std::abs(path.values[i][7]), kPlateLimit + 1e-9) << i;
+    const bool is_bead = path.at[i].path == (path.at[i].layer == 0 ? 0U : 1U) && path.at[i].waypoint > 0;
+    if (is_bead) {
+      EXPECT_LE(path.values[i][7] - path.values[i - 1][7], 1e-9) << i;
+    }
+  }
+}
+
+// From 90 deg on the plate would have to turn from 90 to -270 deg. The ring that leans by 40 deg lets it lag
+// by acos((cos 10 - cos² 40) / sin² 40) = 15.6 deg. It fits if it begins 70 to 110 deg higher.
+TEST(GravityTable, AWallThatBeginsWhereItDoesNotFitIsRefusedWithWhereItFits) {
+  const JointPath path = jointsOfWall(90.0);
+  ASSERT_FALSE(path.isRunnable());
+  EXPECT_EQ(path.faults.front().fault, JointFault::JointUnwinding);
+  EXPECT_NE(path.faults.front().reason.find("fits if it begins 70 deg to 110 deg higher"), std::string::npos)
+      << path.faults.front().reason;
 }
 
 TEST(GravityTable, LimitsThatNoSideKeepsAreReportedByTheJoint) {

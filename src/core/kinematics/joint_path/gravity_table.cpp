@@ -41,10 +41,36 @@ double distanceFromAxis(const GravityTable& table, const Point3& tip, const Eige
   return table.axis_1.direction.cross(held - table.axis_1.point).norm();
 }
 
+/// The numbers of whole turns that bring ranges of values into the limits of a joint, if only in part.
+class WholeTurns {
+ public:
+  explicit WholeTurns(const JointRange& limits) : limits_(limits) {}
+
+  /// @param highest  of the values at some place [rad]
+  /// @param lowest   of them [rad]
+  void keep(double highest, double lowest) {
+    least_ = std::max(least_, (limits_.low - kLimitTolerance - highest) / (2.0 * M_PI));
+    most_ = std::min(most_, (limits_.high + kLimitTolerance - lowest) / (2.0 * M_PI));
+  }
+
+  bool areAny() const { return std::ceil(least_) <= std::floor(most_); }
+
+  /// Of the numbers, the one that leaves as much room on one side as on the other. There is one, and limits
+  /// are finite.
+  double central() const {
+    return std::clamp(std::round(0.5 * (least_ + most_)), std::ceil(least_), std::floor(most_));
+  }
+
+ private:
+  JointRange limits_;
+  double least_ = -std::numeric_limits<double>::infinity();
+  double most_ = std::numeric_limits<double>::infinity();
+};
+
 class TableLeading {
  public:
   TableLeading(const GravityTable& table, const std::vector<Station>& stations, const GravityRule& rule)
-      : table_(table), stations_(stations), rule_(rule) {}
+      : table_(table), stations_(stations), at_(passedAt(stations)), rule_(rule) {}
 
   std::vector<TableValues> values() const {
     const std::vector<Eigen::Vector2d> exact = anglesOf(branch());
@@ -95,14 +121,13 @@ class TableLeading {
 
   /// Where no value of the gate is within the limits it stays as it is: the joint's fault is reported later.
   std::vector<Gate> tiltGates(const std::vector<Eigen::Vector2d>& exact) const {
-    const std::vector<double> at = passedAt(stations_);
     const JointRange& range = table_.tilt_range;
     std::vector<Gate> gates;
     gates.reserve(exact.size());
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const bool is_end = i == 0 || i + 1 == exact.size();
       const double half = is_end ? 0.0 : 0.5 * rule_.cone;
-      Gate gate{at[i], exact[i][1] - half, exact[i][1] + half};
+      Gate gate{at_[i], exact[i][1] - half, exact[i][1] + half};
       if (gate.low <= range.high && gate.high >= range.low) {
         gate.low = std::max(gate.low, range.low);
         gate.high = std::min(gate.high, range.high);
@@ -119,6 +144,8 @@ class TableLeading {
     double half = kFreeTurn;
   };
 
+  static bool isBound(const Room& room) { return std::isfinite(room.half); }
+
   Room roomAt(const Station& station, double tilt) const {
     const Point3& axis = table_.up.axes[0];
     const Point3 wanted = upFor(station);
@@ -130,32 +157,117 @@ class TableLeading {
     return {angleAbout(axis, tilted, wanted), std::acos(std::clamp((least - along) / across, -1.0, 1.0))};
   }
 
-  std::vector<double> turnsFor(const std::vector<double>& tilts) const {
-    const std::vector<double> at = passedAt(stations_);
-    std::vector<Gate> gates;
-    gates.reserve(tilts.size());
+  /// Middles go on from each other over whole turns; what is free has the middle before it.
+  std::vector<Room> roomsFor(const std::vector<double>& tilts) const {
+    std::vector<Room> rooms;
+    rooms.reserve(tilts.size());
     double middle = rule_.start;
-    std::size_t last_bound = 0;
     for (std::size_t i = 0; i < tilts.size(); ++i) {
-      const Room room = roomAt(stations_[i], tilts[i]);
-      if (std::isfinite(room.half)) {
-        middle += std::remainder(room.middle - middle, 2.0 * M_PI);
-        last_bound = i;
-      }
-      const double half = i == 0 ? 0.0 : room.half;
-      gates.push_back({at[i], middle - half, middle + half});
+      Room room = roomAt(stations_[i], tilts[i]);
+      if (isBound(room)) middle += std::remainder(room.middle - middle, 2.0 * M_PI);
+      rooms.push_back({middle, room.half});
+    }
+    return rooms;
+  }
+
+  std::vector<double> turnsFor(const std::vector<double>& tilts) const {
+    const std::vector<Room> rooms = roomsFor(tilts);
+    std::vector<double> turns = turnsOnAndOn(rooms);
+    if (fitsLimits(turns)) return turns;
+    for (std::size_t begin = 0; begin < rooms.size();) {
+      const std::size_t end = stretchEnd(begin);
+      turnStretch(rooms, {begin, end}, turns);
+      begin = end;
+    }
+    return turns;
+  }
+
+  /// One string through all stations.
+  std::vector<double> turnsOnAndOn(const std::vector<Room>& rooms) const {
+    std::vector<Gate> gates;
+    gates.reserve(rooms.size());
+    std::size_t last_bound = 0;
+    for (std::size_t i = 0; i < rooms.size(); ++i) {
+      if (isBound(rooms[i])) last_bound = i;
+      const double half = i == 0 ? 0.0 : rooms[i].half;
+      gates.push_back({at_[i], rooms[i].middle - half, rooms[i].middle + half});
     }
     // What is free at the end needs no motion.
     gates.resize(last_bound + 1);
     const double end = 0.5 * (gates.back().low + gates.back().high);
-    gates.back() = {at[last_bound], end, end};
+    gates.back() = {at_[last_bound], end, end};
     std::vector<double> turns = tautString(gates);
-    turns.resize(tilts.size(), turns.back());
+    turns.resize(rooms.size(), turns.back());
     return turns;
+  }
+
+  /// Where the plate can next be turned back after a station: on the clear motion of a travel.
+  std::size_t stretchEnd(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (end < stations_.size() && stations_[end].motion.way != StationWay::ClearTravel) ++end;
+    return end;
+  }
+
+  /// Whether between any two clear travels some number of whole turns brings all turns within the limits.
+  bool fitsLimits(const std::vector<double>& turns) const {
+    for (std::size_t begin = 0; begin < turns.size();) {
+      const std::size_t end = stretchEnd(begin);
+      WholeTurns fitting(table_.turn_range);
+      for (std::size_t i = begin; i < end; ++i) fitting.keep(turns[i], turns[i]);
+      if (!fitting.areAny()) return false;
+      begin = end;
+    }
+    return true;
+  }
+
+  struct Stretch {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  /// A string of its own for a stretch, within the limits if its rooms reach into them all. What is free
+  /// before and after the string needs no motion.
+  void turnStretch(const std::vector<Room>& rooms, Stretch stretch, std::vector<double>& turns) const {
+    WholeTurns fitting(table_.turn_range);
+    Stretch bound{stretch.end, stretch.begin};
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+      if (!isBound(rooms[i])) continue;
+      bound = {std::min(bound.begin, i), i + 1};
+      fitting.keep(rooms[i].middle + rooms[i].half, rooms[i].middle - rooms[i].half);
+    }
+    if (bound.begin == stretch.end) {
+      const double held = stretch.begin == 0 ? rule_.start : turns[stretch.begin - 1];
+      for (std::size_t i = stretch.begin; i < stretch.end; ++i) turns[i] = held;
+      return;
+    }
+    const std::vector<double> string = tautString(stretchGates(rooms, bound, fitting));
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i)
+      turns[i] = string[std::clamp(i, bound.begin, bound.end - 1) - bound.begin];
+  }
+
+  /// Straight down at both ends, or as nearly as the limits allow.
+  std::vector<Gate> stretchGates(const std::vector<Room>& rooms, Stretch bound,
+                                 const WholeTurns& fitting) const {
+    const double turned = fitting.areAny() ? 2.0 * M_PI * fitting.central() : 0.0;
+    std::vector<Gate> gates;
+    gates.reserve(bound.end - bound.begin);
+    for (std::size_t i = bound.begin; i < bound.end; ++i) {
+      const bool is_end = i == bound.begin || i + 1 == bound.end;
+      const double middle = rooms[i].middle + turned;
+      const double half = is_end ? 0.0 : rooms[i].half;
+      Gate gate{at_[i], middle - half, middle + half};
+      if (fitting.areAny()) {
+        gate.low = std::clamp(gate.low, table_.turn_range.low, table_.turn_range.high);
+        gate.high = std::clamp(gate.high, table_.turn_range.low, table_.turn_range.high);
+      }
+      gates.push_back(gate);
+    }
+    return gates;
   }
 
   const GravityTable& table_;
   const std::vector<Station>& stations_;
+  std::vector<double> at_;  ///< when each is passed [s]
   GravityRule rule_;
 };
 
@@ -192,6 +304,7 @@ GravityTable gravityTable(const KinematicModel& model) {
   };
   table.turn = axisAt(rotary[0]);
   table.tilt = axisAt(rotary[1]);
+  table.turn_range = ranges[rotary[0]];
   table.tilt_range = ranges[rotary[1]];
   return table;
 }

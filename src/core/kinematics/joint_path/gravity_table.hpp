@@ -27,6 +27,7 @@ struct GravityTable {
   ToolAxisTurner up;  ///< first the axis that turns the plate, then the axis that tilts it
   TableAxis turn;
   TableAxis tilt;
+  JointRange turn_range;
   JointRange tilt_range;
   SerialChain external;  ///< chain of the external axes
   Screw axis_1;          ///< axis 1 of the arm, with all external axes at zero [mm, bed frame]
@@ -52,9 +53,13 @@ struct TableValues {
 /// Values of a table, for each station, with which all tool axes point down within the cone. Both axes move
 /// like a taut string over the durations: first the tilt, within half of the cone, then the turn, within what
 /// the tilt leaves of the cone. Where every value of the turn keeps the tool axis within the cone, the turn
-/// is free. At the first and the last station at which it is not free the tool axis points straight down. Of
-/// the two possible tilts, the one within the limits is chosen, then the lesser one, then the one that brings
-/// the tip nearer to axis 1 of the arm.
+/// is free. At the first and the last station at which it is not free the tool axis points straight down.
+/// Where such turns do not fit into the limits of the turning axis between two clear travels, the turn has a
+/// string of its own between each two, within its limits, and changes from one to the next on the clear
+/// travel; at both ends of each string the tool axis points straight down, or as nearly as the limits allow.
+/// If limits and cone leave no way between two travels, the turns there exceed the limits. Of the two
+/// possible tilts, the one within the limits is chosen, then the lesser one, then the one that brings the tip
+/// nearer to axis 1 of the arm.
 /// @throws Unreachable naming the table if it cannot turn a tool axis down
 std::vector<TableValues> tableValues(const GravityTable& table, const std::vector<Station>& stations,
                                      const GravityRule& rule);
