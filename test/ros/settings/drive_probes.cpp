@@ -64,7 +64,10 @@ std::string resumedAt(const SettingTexts& set) {
   Eigen::Isometry3d nozzle = Eigen::Isometry3d::Identity();
   nozzle.translation() = Point3(10.3, 7, 0.2);
   nozzle.linear() = nozzleDown().toRotationMatrix();
-  return toText(resumePlace(LaidBeads(twoLayers()), 12.0, nozzle, settingsWith<DriverSettings>(set).resume));
+  ReportedProgress reported;
+  reported.laid_mm = 12.0;
+  return toText(
+      resumePlace(LaidBeads(twoLayers()), reported, nozzle, settingsWith<DriverSettings>(set).resume));
 }
 
 /// When a driver gives up a controller of which it hears nothing.
