@@ -155,8 +155,9 @@ Growth::WallBeside Growth::besideOn(std::size_t above, const GrownPoint& grown) 
     const CurvePlace high = nearestCorner(strand_.levels[above].points, corners_[above], grown.point);
     const CurvePlace low = nearestCorner(strand_.levels[above - 1].points, corners_[above - 1], high.point);
     const double apart_mm = heights_[above] - heights_[above - 1];
-    const double farthest_mm = kFarthestCorner * apart_mm;
-    if (low.distance_mm <= farthest_mm && high.distance_mm <= farthest_mm) return {low, high};
+    if (low.distance_mm <= kFarthestCorner * apart_mm &&
+        high.distance_mm <= kFarthestCorner * (apart_mm + grown.height_mm))
+      return {low, high};
   }
   const CurvePlace high = places_[above]->nearest(grown.point);
   return {places_[above - 1]->nearest(high.point), high};
