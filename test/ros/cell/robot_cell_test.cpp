@@ -196,7 +196,7 @@ void resumesOnTheBead(RobotCell& cell) {
   cell.bringToIdle();
   const auto place = [&cell]() -> std::string {
     for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
-      if (step.name == "place" && step.state == lamina_msgs::ResumeStep::DONE) return step.text;
+      if (step.name == "place" && step.state == lamina_msgs::ResumeStep::PERSON) return step.text;
     return "";
   };
   ASSERT_TRUE(waitUntil([&] { return !place().empty(); })) << cell.status.resume_refusal;
