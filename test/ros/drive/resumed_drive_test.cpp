@@ -35,7 +35,11 @@ lamina_msgs::ResumePlace::Response placeOn(double height_mm) {
     std::ofstream file(call.request.program);
     writeCsv(twoBeads(height_mm), [&file](std::string_view piece) { file << piece; });
   }
-  EXPECT_TRUE(callService(std::string(kSpace) + '/' + names::kResumePlace, call));
+  // A machine that still settles is asked again.
+  EXPECT_TRUE(waitUntil([&call] {
+    return callService(std::string(kSpace) + '/' + names::kResumePlace, call) &&
+           call.response.status.message.find("still moves") == std::string::npos;
+  }));
   return call.response;
 }
 
