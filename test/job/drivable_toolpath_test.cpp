@@ -100,8 +100,9 @@ TEST(DriveSettings, OfUnitAndDriverAreAlikeOrNamed) {
   EXPECT_NE(driveSettingsSheet(driver).find("joints.yaw: free\n"), std::string::npos);
   driver.joints.yaw = YawChoice::Held;
   driver.clearance.spacing_mm = 3.5;
-  // Each reads this its own way: the driver has check_clearance.
-  driver.clearance.need = ClearanceNeed::Never;
+  // Each reads these its own way: the driver has check_clearance.
+  driver.clearance.need = ClearanceNeed::Always;
+  driver.clearance.is_shown = true;
   const std::string refusal = refusalOfUnit({}, driveSettingsSheet(driver));
   EXPECT_NE(refusal.find("clearance.spacing_mm is '"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("' for the unit and '3.5' for its driver; "), std::string::npos) << refusal;
@@ -109,9 +110,21 @@ TEST(DriveSettings, OfUnitAndDriverAreAlikeOrNamed) {
             std::string::npos)
       << refusal;
   EXPECT_EQ(refusal.find("clearance.need"), std::string::npos) << refusal;
+  EXPECT_EQ(refusal.find("clearance.report"), std::string::npos) << refusal;
   DriveCheckSettings same = driver;
-  same.clearance.need = ClearanceNeed::Always;
+  same.clearance.need = ClearanceNeed::Turning;
   EXPECT_EQ(refusalOfUnit(same, driveSettingsSheet(driver)), "");
+}
+
+TEST(DriveSettings, OfClearanceDifferOnlyWhereBothCheckIt) {
+  DriveCheckSettings unit, driver;
+  driver.clearance.spacing_mm = 3.5;
+  EXPECT_NE(refusalOfUnit(unit, driveSettingsSheet(driver)), "");
+  driver.clearance.need = ClearanceNeed::Never;
+  EXPECT_EQ(refusalOfUnit(unit, driveSettingsSheet(driver)), "");
+  driver.clearance.need = ClearanceNeed::Always;
+  unit.clearance.need = ClearanceNeed::Never;
+  EXPECT_EQ(refusalOfUnit(unit, driveSettingsSheet(driver)), "");
 }
 
 TEST(DriveSettings, OfAnotherReleaseDiffer) {

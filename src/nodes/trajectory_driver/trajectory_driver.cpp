@@ -109,7 +109,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       gate_(node, names::kDriveToolpath, owner_),
       pulses_(settings.guard_socket, [this] { return pulse(); }) {
   ClearanceSettings clearance = settings_.clearance;
-  if (!settings_.is_clearance_checked) clearance.need = ClearanceNeed::Never;
+  clearance.need = settings_.is_clearance_checked ? ClearanceNeed::Always : ClearanceNeed::Never;
   tellDriveSettings(node, {settings_.run.joints, clearance});
   // Plans that this node publishes take no toolpath's place: that may be driven once more.
   const boost::function<void(const ros::MessageEvent<const lamina_msgs::Toolpath>&)> onToolpath =
