@@ -50,7 +50,7 @@ function show() {
 
 /** What the cell says of the steps now. */
 export function showResume(unit) {
-  shown = unit.resume_waits ? unit.resume_steps : [];
+  shown = (unit.resume_waits && unit.resume_steps) || [];
   for (const [name, seen] of confirmed) {
     const step = shown.find((each) => each.name === name);
     if (!step || step.state !== "person" || seenAs(step) !== seen) confirmed.delete(name); // to be looked at anew

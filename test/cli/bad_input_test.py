@@ -122,11 +122,11 @@ PROGRAMS = (
     ("output beyond its range", "irb_4600", "src", LASER + ("robot_program.levels=laser_power_w=1*0.0025",), ("analogue output 1 is to be set to 3; KRL takes -1 to 1 (robot_program.levels)",)),
     # 1.6 x 0.8 mm, 1.1427 mm2, at 20 mm/s in the first layer, of a wire of 1.2 mm.
     ("wire faster than its feeder", "irb_4600", "csv", ("levels.values=wire_speed_mm_s=from_bead", "levels.channels={wire_speed_mm_s: {upper: 20}}"),
-     ("waypoint 0: wire_speed_mm_s is 20.2066 mm/s by levels.values; expected 0 mm/s to 20 mm/s, as levels.channels.wire_speed_mm_s states")),
+     ("waypoint 0: wire_speed_mm_s is 20.2066 mm/s by levels.values; expected 0 mm/s to 20 mm/s, as levels.channels.wire_speed_mm_s states",)),
     ("weave without a wavelength", "irb_4600", "src", SWUNG + ("weave.wavelength_mm=0",), ("weave.wavelength_mm is '0'; must be a number in (0, 1000]",)),
     ("weave faster than the joints", "irb_4600", "src", SWUNG + ("weave.wavelength_mm=1",), ("weaving by 0.7 mm every 1.00032 mm at 20 mm/s takes 11046.8 mm/s2; expected motion.acceleration_mm_s2, 1500 mm/s2, at most",)),
     ("overlap longer than its closed run", "irb_4600", "src", ("lead.overlap_mm=400",), ("layer 0 at 0.8 mm, path 0: lead.overlap_mm is 400 mm; must be less than the closed run, 30",)),
-    ("lead longer than its closed run", "irb_4600", "src", ("lead.in=line", "lead.length_mm=320"), ("layer 0 at 0.8 mm, path 0: a lead is 320 mm long (lead.length_mm); must be less than the closed run, 30",)),
+    ("lead longer than its closed run", "irb_4600", "src", ("lead.in=line", "lead.length_mm=320"), ("layer 0 at 0.8 mm, path 0: a lead is 320 mm long (lead.length_mm); must be less than the longest closed run, 30",)),
     ("arc without a schedule, Fanuc", "irb_4600", "ls", WELDED, ("robot_program.start_schedule is 0 with robot_program.process 'schedules'; expected the number of a schedule",)),
     ("arc without a schedule to end by", "irb_4600", "jbi", WELDED + ("robot_program.start_schedule=1",), ("robot_program.end_schedule is 0 with",)),
     ("arc without a statement", "irb_4600", "src", WELDED, ("krl.arc_on is ''", "must be a statement of the controller's arc package")),

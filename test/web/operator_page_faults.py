@@ -45,6 +45,7 @@ class Cell:
         self.socket = "live"  # or silent
         self.after = {}  # the state that a command leads to
         self.resume_refusal = None  # of a job that was cut off; empty if it can be resumed
+        self.resume_steps = []
         self.upload_s = 0.0
         self.forms = []  # of the uploads
         self.refused = 0  # questions who is logged in that are answered by 503 first
@@ -55,7 +56,7 @@ class Cell:
     def shown(self):
         unit = {"state": self.state, "sequence": self.sequence, "in_state_s": 1, "mode": "Production", "mode_number": 1,
                 "accepted_now": ["Hold", "Stop", "Abort", "Reset", "Start", "Clear"], "resume_waits": self.resume_refusal is not None,
-                "resume_refusal": self.resume_refusal or "", "is_part_on_plate": False}
+                "resume_refusal": self.resume_refusal or "", "resume_steps": self.resume_steps, "is_part_on_plate": False}
         return {"utc_s": int(time.time() + self.clock_s), "is_fresh": True, "age_s": 0, "notices": [], "unit": unit, "job": None, "alarms": [], "queue": [],
                 "progress": {"lines": 10, "lines_acknowledged": 1, "layer": -1, "fraction": 0.1},
                 "machine": {"nozzle_degc": 210.0, "bed_degc": 60.0, "position_m": [0, 0, 0], "age_s": self.machine_age_s, "failure": ""},
@@ -241,9 +242,18 @@ def check_second_press(page, cell):
 
 
 def check_resume_only_where_it_can_be_done(page, cell):
-    """Start of a job that was cut off asks what becomes of it, and offers no resume that would be refused."""
+    """Start of a job that was cut off goes through what a resume needs, and offers no resume that would be refused."""
     cell.state, cell.resume_refusal = "Idle", ""
+    cell.resume_steps = [{"name": "part", "state": "person", "text": "the part stands where it stood"}]
     page.open()
+    page.press("next")
+    page.wait(lambda: page.script("return document.getElementById('resume').open"), "the steps")
+    require(page.script("return document.activeElement.id") == "resume-back", "the focus is on the way back")
+    page.script("document.getElementById('resume-start').click()")
+    require(page.script("return document.getElementById('resume').open"), "nothing starts before a person has looked")
+    require(page.script("return document.getElementById('resume-discard').checkVisibility()"), "the job can be discarded")
+    page.script("document.getElementById('resume-back').click()")
+    page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
 
     def answers():
         page.press("next")
@@ -255,7 +265,6 @@ def check_resume_only_where_it_can_be_done(page, cell):
         page.wait(lambda: not page.script("return document.getElementById('dialog').open"), "the question is closed")
         return labels, text
 
-    require(answers()[0] == ["Go back", "Resume it", "Discard it"], "both are offered where both can be done")
     cell.resume_refusal = "the machine has lost motions"
     page.wait(lambda: "lost motions" in page.text("#state-detail"), "why it can only be discarded, before anything is pressed")
     labels, text = answers()
