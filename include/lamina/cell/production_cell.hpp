@@ -98,6 +98,7 @@ class ProductionCell {
   std::vector<UnmetGuard> againstBeginning(const CellSurroundings& found, CutOffJob cut_off,
                                            FileCheck files) const;
   void settle(CellTime now);
+  void follow(const UnitChange& change, const std::vector<ActiveAlarm>& own, CellTime now);
   void pauseAgain(CellTime now);
   void followPause(CellTime now);
   bool isComplete() const;

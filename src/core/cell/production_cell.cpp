@@ -411,24 +411,25 @@ void ProductionCell::settle(CellTime now) {
     const std::vector<UnitChange> changes = unit_.takeChanges();
     if (changes.empty()) return;
     std::vector<ActiveAlarm> own = unit_.takeAlarms();
-    for (const UnitChange& change : changes) {
-      const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
-      // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be
-      // mended.
-      if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
-      if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
-      if (acts_first) act(change, now);
-      // One wait for the disk.
-      write(now, [&] {
-        journal_.together([&] {
-          journal_.add(rowOf(change, now.utc_s));
-          // Before the end of an execution that it leads to: later it would belong to none.
-          for (const ActiveAlarm& alarm : std::exchange(own, {})) keepAlarm(alarm, now.utc_s);
-        });
-      });
-      if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
-    }
+    for (const UnitChange& change : changes) follow(change, std::exchange(own, {}), now);
   }
+}
+
+void ProductionCell::follow(const UnitChange& change, const std::vector<ActiveAlarm>& own, CellTime now) {
+  const bool acts_first = change.to == UnitState::Stopping || change.to == UnitState::Aborting;
+  // Whatever ends a job gives it up, but for an end that came by itself (`onEnd`) or by what can be mended.
+  if (acts_first && !isAtRest(report_.phase)) is_given_up_ = !isResumable(change.alarm);
+  if (acts_first) end_reason_ = endReason(change, unit_.status().stop_reason);
+  if (acts_first) act(change, now);
+  // One wait for the disk.
+  write(now, [&] {
+    journal_.together([&] {
+      journal_.add(rowOf(change, now.utc_s));
+      // Before the end of an execution that it leads to: later it would belong to none.
+      for (const ActiveAlarm& alarm : own) keepAlarm(alarm, now.utc_s);
+    });
+  });
+  if (!acts_first && unit_.status().sequence == change.sequence) act(change, now);
 }
 
 void ProductionCell::act(const UnitChange& change, CellTime now) {

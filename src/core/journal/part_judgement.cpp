@@ -64,7 +64,7 @@ JudgedPart judgePart(CellJournal& journal, ArtefactStore& store, const PartJudge
     throw InvalidInput("verdict is '" + verdict + "'; expected good, scrap or rework");
   if (judgement.by.empty()) throw InvalidInput("nobody is named who judges the part");
   FoundPart part = partOf(journal, judgement.job);
-  const JudgedPart judged{part.row.serial, part.row.verdict};
+  JudgedPart judged{part.row.serial, part.row.verdict};
   OrderedJson json = recordJson(store, part.row);
   json["verdict"] = {{"value", verdict},
                      {"by", judgement.by},

@@ -76,7 +76,7 @@ TEST(GravityTable, AWallThatLeansMoreAndMoreTurnsThePlateOneWayAtTheSpeedOfItsBe
   for (std::size_t i = 1; i < wall.size(); ++i) {
     EXPECT_LT(offDown(*model, wall[i], values[i]), kCone + 1e-9);
     EXPECT_GE(sense * (values[i].turn - values[i - 1].turn), -1e-9) << i;
-    if (i <= 72 * 10) continue;  // a lean of 20 deg
+    if (i <= 720) continue;  // a lean of 20 deg
     EXPECT_NEAR(sense * toDegrees(values[i].turn - values[i - 1].turn) / kStepS, 3.056, 0.05) << i;
   }
 }

@@ -65,7 +65,8 @@ Eigen::Isometry3d headThatTilts(double time_s) {
   const int step = std::min(14, static_cast<int>(time_s / 0.5));
   const double tilts[5][2] = {{0, 0}, {18, 0}, {-18, 0}, {0, 18}, {0, -18}};
   const double* const tilt = tilts[step % 5];
-  return test::nozzleAt({100.0, 100.0, 5.0 + 7.0 * (step / 5)}) *
+  const int height = step / 5;
+  return test::nozzleAt({100.0, 100.0, 5.0 + 7.0 * height}) *
          Eigen::AngleAxisd(tilt[0] * kDegree, Point3::UnitX()) *
          Eigen::AngleAxisd(tilt[1] * kDegree, Point3::UnitY());
 }
