@@ -65,20 +65,14 @@ void onPositioner(benchmark::State& state) {
   plan(state, *kinematicModelFromUrdf(urdf), settings);
 }
 
+/// Over numbers of waypoints, by the processor time of all threads.
+void overWaypoints(benchmark::internal::Benchmark* bench) {
+  bench->Arg(1000)->Arg(10000)->Arg(100000);
+  bench->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+}
+
 }  // namespace
 
-BENCHMARK(onArm)
-    ->Arg(1000)
-    ->Arg(10000)
-    ->Arg(100000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-BENCHMARK(onPositioner)
-    ->Arg(1000)
-    ->Arg(10000)
-    ->Arg(100000)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
+BENCHMARK(onArm)->Apply(overWaypoints);
+BENCHMARK(onPositioner)->Apply(overWaypoints);
 BENCHMARK_MAIN();
