@@ -119,10 +119,11 @@ TEST(InclinedJob, DirectSlicingIsPlanarSlicingOfTheTurnedMeshTurnedBack) {
 
 TEST(InclinedJob, EveryWaypointLiesInItsPlaneAndOverTheBed) {
   const test::ScratchFolder folder;
+  writeStl(folder.file("tube.stl"), makePart("tube", {{"height_mm", "6"}}));
   EXPECT_TRUE(rc::check("any angle, any heading", [&](std::uint64_t seed) {
     Random random(seed);
     const double angle = random.uniform(1.0, 75.0);
-    SliceJob job = upright("tube", angle, random.uniform(0.0, 360.0));
+    SliceJob job = upright(folder.file("tube.stl"), angle, random.uniform(0.0, 360.0));
     job.settings.slicing.layer_height_mm = 0.4;
     job.settings.slicing.first_layer_height_mm = 0.4;
     const SlicedPart sliced = run(job);
@@ -143,6 +144,7 @@ TEST(InclinedJob, DepositsTheVolumeOfTheMeshAtAnyAngle) {
   EXPECT_TRUE(rc::check("solid, any angle and heading", [](std::uint64_t seed) {
     Random random(seed);
     SliceJob job = upright("box", random.uniform(5.0, 75.0), random.uniform(0.0, 360.0));
+    job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 0.4;
     job.settings.planning.infill.density = 1.0;
     const SliceSummary summary = run(job).summary;
     RC_ASSERT(std::abs(summary.sliced_volume_mm3 / 8000.0 - 1.0) < 1e-3);
@@ -235,10 +237,19 @@ TEST(InclinedJob, RefusesIslandsThatBeginInTheAirUnlessAsked) {
 
 /// Whatever their angle, to the last bit as before.
 TEST(InclinedJob, LaysAPartThatStandsOnTheBedAtAnyAngle) {
-  EXPECT_TRUE(rc::check("parts with a level face", [](std::uint64_t seed) {
+  const test::ScratchFolder folder;
+  // A blade that twisted as much over less height would lean farther than layers at 75 deg allow.
+  const std::map<std::string, std::vector<SettingText>> low = {
+      {"box", {{"z_mm", "8"}}},
+      {"tube", {{"height_mm", "8"}}},
+      {"blade", {{"height_mm", "8"}, {"twist_deg", "4"}}},
+      {"cone", {{"height_mm", "8"}}}};
+  for (const auto& [part, parameters] : low) writeStl(folder.file(part + ".stl"), makePart(part, parameters));
+  EXPECT_TRUE(rc::check("parts with a level face", [&](std::uint64_t seed) {
     Random random(seed);
-    const char* parts[] = {"box", "tube", "blade", "cone"};
-    SliceJob job = upright(parts[seed % 4], random.uniform(5.0, 75.0), random.uniform(0.0, 360.0));
+    SliceJob job =
+        upright(folder.file(std::next(low.begin(), static_cast<std::ptrdiff_t>(seed % 4))->first + ".stl"),
+                random.uniform(5.0, 75.0), random.uniform(0.0, 360.0));
     job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 0.4;
     RC_ASSERT(!run(job).toolpath.layers.empty());
   }));
