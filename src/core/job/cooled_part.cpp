@@ -45,12 +45,14 @@ struct JobSite {
 bool canPark(const SlicedPart& sliced, const CoolingSettings& cooling, const BuildSpace& space) {
   const Box3 part = depositionBox(sliced.toolpath);
   if (part.isEmpty()) return true;
-  const Point3 lift = cooling.lift_mm * layerNormal(sliced.toolpath);
+  const Point3 up = layerNormal(sliced.toolpath);
+  const Point3 lift = cooling.lift_mm * up;
   Path places;
   places.role = PathRole::Travel;
-  for (const double y : {part.low.y(), part.high.y()})
-    for (const double z : {part.low.z(), part.high.z()})
-      places.points.push_back(parkingPlace({part.low.x(), y, z}, part, cooling.park) + lift);
+  for (const double x : {part.low.x(), part.high.x()})
+    for (const double y : {part.low.y(), part.high.y()})
+      for (const double z : {part.low.z(), part.high.z()})
+        places.points.push_back(parkingPlace({x, y, z}, part, cooling.park, up) + lift);
   Toolpath waits;
   waits.layers = {{part.high.z(), 1.0, {std::move(places)}}};
   try {

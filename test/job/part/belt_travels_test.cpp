@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "support/scratch_folder.hpp"
@@ -117,6 +119,19 @@ TEST(BeltTravels, AreAsTheyWereWhereNoBeltRunsBack) {
   EXPECT_EQ(toolpathId(level), toolpathId(level_before));
 }
 
+// As a machine of one's own is described by hand: off by 2e-6 rad, where 0.01 deg is accepted.
+TEST(BeltTravels, StayInTheLayersOfABeltDescribedWithFewDigits) {
+  const test::ScratchFolder folder;
+  std::string description = readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/belt_45.urdf");
+  const std::string digits = "0.785398163397448";
+  ASSERT_NE(description.find(digits), std::string::npos);
+  description.replace(description.find(digits), digits.size(), "0.7854");
+  writeFile(folder.file("belt.urdf"), description);
+  Toolpath toolpath = twoLayers(hopWithin(), hopBetween());
+  keepForward(toolpath, folder.file("belt.urdf").c_str());
+  EXPECT_EQ(toolpath.layers[0].paths[1].points.size(), 3u);
+}
+
 TEST(BeltTravels, StandOffByTheBeltForAScan) {
   // 1 mm above layers of 0.2 mm, and half a layer off those to come: 1.1 mm.
   const Path scan =
@@ -158,6 +173,7 @@ struct BeltWords {
   int reversals = 0;
   int with_material = 0;  ///< motions that move the belt and extrude
   int dwells = 0;
+  double highest_y = 0.0;  ///< of the gantry [mm]
 };
 
 std::optional<double> axisWord(const std::string& line, char letter) {
@@ -177,6 +193,7 @@ BeltWords beltWordsOf(const std::string& file) {
     if (!is_in_part) continue;
     words.dwells += line.rfind("G4", 0) == 0 ? 1 : 0;
     if (line.rfind("G0 ", 0) != 0 && line.rfind("G1 ", 0) != 0) continue;
+    words.highest_y = std::max(words.highest_y, axisWord(line, 'Y').value_or(0.0));
     const std::optional<double> belt = axisWord(line, 'Z');
     if (!belt) continue;
     if (!at) words.first = *belt;
@@ -211,8 +228,11 @@ TEST(BeltTravels, NeverRunTheBeltBackInThePrograms) {
     EXPECT_NEAR(words.last - words.first, 62.0, 0.6) << machine;
   }
   EXPECT_EQ(beltOfTee("creality_cr_30", {{"travel.hop_mm", "2"}, {"travel.comb", "none"}}).reversals, 0);
-  EXPECT_EQ(beltOfTee("creality_cr_30", {{"pause.at_layers", "20"}, {"cooling.park", "corner"}}).reversals,
-            0);
+  const BeltWords at_corner =
+      beltOfTee("creality_cr_30", {{"pause.at_layers", "20"}, {"cooling.park", "corner"}});
+  EXPECT_EQ(at_corner.reversals, 0);
+  // The tee is 50 mm high, 50 / sin 45 deg up the gantry, and waits lift the nozzle by 2 mm / tan 45 deg.
+  EXPECT_LT(at_corner.highest_y, 50.0 / std::sin(std::atan(1.0)) + 2.1);
   EXPECT_EQ(beltOfTee("creality_cr_30",
                       {{"cooling.interval", "place"}, {"cooling.by", "dwell"}, {"cooling.park", "stay"}})
                 .reversals,

@@ -17,9 +17,9 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameDirection = 1e-6;  // sine: digits of a URDF
-constexpr double kSamePoint = 1e-9;      // mm
-constexpr double kScanHeight = 1e-3;     // mm
+constexpr double kSameDirection = 1.75e-4;  // sine: 0.01 deg, as machines are accepted
+constexpr double kSamePoint = 1e-9;         // mm
+constexpr double kScanHeight = 1e-3;        // mm
 
 /// Directions in which a waypoint can be moved between layers [part frame].
 struct BeltFrame {

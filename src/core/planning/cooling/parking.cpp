@@ -70,16 +70,14 @@ double timeOf(std::vector<Path> paths, const MotionLimits& limits) {
 
 }  // namespace
 
-Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place) {
-  switch (place) {
-    case ParkPlace::Outside:
-      return {box.low.x() - kBeside, here.y(), here.z()};
-    case ParkPlace::Corner:
-      return {box.low.x(), box.low.y(), here.z()};
-    case ParkPlace::Stay:
-      break;
-  }
-  return here;
+Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place, const Point3& up) {
+  if (place == ParkPlace::Stay) return here;
+  const bool is_level = up.cross(Point3::UnitZ()).norm() <= kUpright;
+  Point3 park = here;
+  park.x() = place == ParkPlace::Outside ? box.low.x() - kBeside : box.low.x();
+  if (place == ParkPlace::Corner && is_level) park.y() = box.low.y();
+  if (!is_level) park.z() += std::max(0.0, (here - park).dot(up)) / up.z();
+  return park;
 }
 
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath) {
@@ -104,7 +102,7 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   const double above_mm = ground.highest_mm - here.dot(ground.up);
   const double lift_mm = settings.lift_mm + (above_mm > kSameHeight ? above_mm : 0.0);
   const Point3 lift = lift_mm * ground.up;
-  const Point3 park = parkingPlace(here, ground.part, settings.park);
+  const Point3 park = parkingPlace(here, ground.part, settings.park, ground.up);
   Path path;
   path.role = PathRole::Travel;
   path.process.is_retracted = true;

@@ -26,9 +26,12 @@ struct ParkingGround {
 /// The ground of each layer.
 std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath);
 
-/// Position at which the nozzle waits, at its present height.
+/// Position at which the nozzle waits, at its present height; higher where it would otherwise be below the
+/// plane of its layer, within what is deposited. Beside inclined layers, the corner is the side of the part
+/// at low x: the corner itself can be the length of the part above the layer or below it.
 /// @param box  bounding box of the part
-Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place);
+/// @param up   normal of the layers
+Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place, const Point3& up);
 
 /// The path to the parking place and back: retracted, up, across, and back along the same line. Its only
 /// event is a dwell of zero time at the parking place. If the tool axis leans from the layers' normal, it is
