@@ -179,6 +179,30 @@ TEST(GravityTable, APlateWithLimitsIsTurnedBackBetweenRingsAndNeverOnOne) {
   }
 }
 
+// Half a ring that stands upright leaves the plate where it is, at -180 deg; the other half begins at 0 deg.
+// The travel between them does not lift the nozzle off the part.
+TEST(GravityTable, APlateWithLimitsIsTurnedBackOnLiftedTravelsWhereTheseAreEnough) {
+  const auto model = limitedTable();
+  std::vector<Station> wall;
+  const auto addHalves = [&wall](double first_lean, double second_lean) {
+    std::vector<Station> ring = ringLeaning(first_lean, 0.0);
+    const std::vector<Station> second = ringLeaning(second_lean, 0.0);
+    std::copy(second.begin() + 37, second.end(), ring.begin() + 37);
+    ring[0].motion.way = ring[37].motion.way = StationWay::ClearTravel;
+    ring[0].motion.lift_mm = 5.0;
+    wall.insert(wall.end(), ring.begin(), ring.end());
+  };
+  for (const double lean : {0.0, 12.0, 14.0, 20.0, 45.0}) addHalves(lean * kDegree, lean * kDegree);
+  addHalves(0.0, 45.0 * kDegree);
+  const std::vector<TableValues> values = tableValues(gravityTable(*model), wall, {kCone, 0.0});
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    EXPECT_LE(offDown(*model, wall[i], values[i]), kCone + 1e-9) << i;
+    EXPECT_LE(std::abs(values[i].turn), kPlateLimit + 1e-9) << i;
+    if (wall[i].motion.lift_mm > 0.0) continue;
+    EXPECT_LE(values[i].turn - values[i - 1].turn, 1e-9) << i;
+  }
+}
+
 // From an azimuth of 30 deg on the plate would have to turn from 150 to -210 deg, which is 10 deg beyond its
 // limit. At a lean of 45 deg that is acos(1/2 + 1/2 cos 10 deg) = 7.07 deg off straight down.
 TEST(GravityTable, APlateAtItsLimitLagsWithinTheCone) {

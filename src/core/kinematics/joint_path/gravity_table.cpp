@@ -172,14 +172,12 @@ class TableLeading {
 
   std::vector<double> turnsFor(const std::vector<double>& tilts) const {
     const std::vector<Room> rooms = roomsFor(tilts);
-    std::vector<double> turns = turnsOnAndOn(rooms);
-    if (fitsLimits(turns)) return turns;
-    for (std::size_t begin = 0; begin < rooms.size();) {
-      const std::size_t end = stretchEnd(begin);
-      turnStretch(rooms, {begin, end}, turns);
-      begin = end;
-    }
-    return turns;
+    const std::vector<double> on_and_on = turnsOnAndOn(rooms);
+    if (fitsLimits(on_and_on, TurnBack::LiftedTravel)) return on_and_on;
+    std::vector<double> turns = turnsByStretches(rooms, TurnBack::LiftedTravel);
+    if (fitsLimits(turns, TurnBack::LiftedTravel)) return turns;
+    if (fitsLimits(on_and_on, TurnBack::AnyTravel)) return on_and_on;
+    return turnsByStretches(rooms, TurnBack::AnyTravel);
   }
 
   /// One string through all stations.
@@ -201,17 +199,34 @@ class TableLeading {
     return turns;
   }
 
+  /// On which travels the plate may be turned back. Without a lift the nozzle is a layer away from the part.
+  enum class TurnBack { LiftedTravel, AnyTravel };
+
+  static bool canTurnBack(const StationMotion& motion, TurnBack on) {
+    return motion.way == StationWay::ClearTravel && (on == TurnBack::AnyTravel || motion.lift_mm > 0.0);
+  }
+
   /// Where the plate can next be turned back after a station: on the clear motion of a travel.
-  std::size_t stretchEnd(std::size_t begin) const {
+  std::size_t stretchEnd(std::size_t begin, TurnBack on) const {
     std::size_t end = begin + 1;
-    while (end < stations_.size() && stations_[end].motion.way != StationWay::ClearTravel) ++end;
+    while (end < stations_.size() && !canTurnBack(stations_[end].motion, on)) ++end;
     return end;
   }
 
-  /// Whether between any two clear travels some number of whole turns brings all turns within the limits.
-  bool fitsLimits(const std::vector<double>& turns) const {
+  std::vector<double> turnsByStretches(const std::vector<Room>& rooms, TurnBack on) const {
+    std::vector<double> turns(rooms.size(), rule_.start);
+    for (std::size_t begin = 0; begin < rooms.size();) {
+      const std::size_t end = stretchEnd(begin, on);
+      turnStretch(rooms, {begin, end}, turns);
+      begin = end;
+    }
+    return turns;
+  }
+
+  /// Whether between any two such travels some number of whole turns brings all turns within the limits.
+  bool fitsLimits(const std::vector<double>& turns, TurnBack on) const {
     for (std::size_t begin = 0; begin < turns.size();) {
-      const std::size_t end = stretchEnd(begin);
+      const std::size_t end = stretchEnd(begin, on);
       WholeTurns fitting(table_.turn_range);
       for (std::size_t i = begin; i < end; ++i) fitting.keep(turns[i], turns[i]);
       if (!fitting.areAny()) return false;
