@@ -121,10 +121,10 @@ SettingProbe volumetricProbe() {
            {"volumetric.deviation_deg=0", "machine.name=five_axis_head_table;volumetric.overhang_used_deg=0"},
            {"volumetric.largest_pendant_percent=1",
             "volumetric.max_tilt_deg=2;volumetric.largest_unsupported_percent=100;"
-            "volumetric.largest_uncovered_percent=100;volumetric.largest_pendant_percent=100"},
+            "volumetric.largest_pendant_percent=100"},
            {"volumetric.largest_unsupported_percent=1",
             "volumetric.max_tilt_deg=2;volumetric.largest_pendant_percent=100;"
-            "volumetric.largest_uncovered_percent=100;volumetric.largest_unsupported_percent=100"},
+            "volumetric.largest_unsupported_percent=100"},
            {"volumetric.largest_uneven_percent=0",
             "volumetric.max_thickness=1;volumetric.largest_uneven_percent=100"},
            {"volumetric.largest_uncovered_percent=0"}}};

@@ -279,9 +279,11 @@ double openOfLevelLayers(const GrownPart& part, const MeshTopology& topology, Pr
   return sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, layers, {}}, progress)).open;
 }
 
-void requireCovered(const GrownPart& part, const CoverageShares& shares, double open_level,
+/// Pendants have a limit of their own.
+void requireCovered(const GrownPart& part, const CoverageShares& shares, const VolumetricMeasures& measures,
                     const PartSamples& samples) {
-  const double percent = 100.0 * (std::max(0.0, shares.open - open_level) + shares.twice);
+  const double pendant = measures.pendant_mm3 / measures.volume_mm3;
+  const double percent = 100.0 * (std::max(0.0, shares.open - measures.open_level - pendant) + shares.twice);
   const double most = part.request.settings.largest_uncovered_percent;
   if (percent <= most || shares.wrong.empty()) return;
   const double around_mm = kNearTogether * samples.spacing();
@@ -290,10 +292,11 @@ void requireCovered(const GrownPart& part, const CoverageShares& shares, double 
   std::snprintf(
       text, sizeof text,
       "%.2f %% of the part would be in no layer (%.2f %% in none of level layers) and %.2f %% in more "
-      "than one, most of it around %s; expected at most %.4g %% beyond level layers "
+      "than one, most of it around %s; expected at most %.4g %% beyond level layers%s "
       "(volumetric.largest_uncovered_percent): use smaller cells (volumetric.cell_mm), thinner layers, "
       "or turn the part",
-      100.0 * shares.open, 100.0 * open_level, 100.0 * shares.twice, placeText(where).c_str(), most);
+      100.0 * shares.open, 100.0 * measures.open_level, 100.0 * shares.twice, placeText(where).c_str(), most,
+      pendant > 0.0 ? " and what hangs where no layer leads" : "");
   throw Unsliceable(text, facesAbout(part.mesh, where, around_mm));
 }
 
@@ -309,7 +312,7 @@ void measureCoverage(const GrownPart& part, const MeshTopology& topology, const 
   measures.open = shares.open;
   measures.twice = shares.twice;
   measures.open_level = openOfLevelLayers(part, topology, progress);
-  requireCovered(part, shares, measures.open_level, samples);
+  requireCovered(part, shares, measures, samples);
 }
 
 /// Turns the head from the layers' normals to where it is clear. Tips and heights stay those of the layers.

@@ -56,8 +56,8 @@ void describe(SettingsSchema& schema, VolumetricSettings& settings) {
       "Of the part's volume: how much may be in layers beyond their thickness before it is refused.");
   schema.number(
       "volumetric.largest_uncovered_percent", settings.largest_uncovered_percent, {0.0, 100.0},
-      "Of the part's volume: how much layers may leave open that level ones do not, or lay twice, before "
-      "it is refused.");
+      "Of the part's volume: how much layers may leave open that level ones do not, pendants aside, or lay "
+      "twice, before it is refused.");
   schema.number(
       "volumetric.largest_left_out_percent", settings.largest_left_out_percent, {0.0, 10.0},
       "Of what a head that tilts deposits, in any slicing mode: how much may be left out where it has no "
