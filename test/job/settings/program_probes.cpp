@@ -147,6 +147,16 @@ SettingProbe fanucProbe() {
        {"fanuc.max_lines=100", "robot_program.allow_cut=true"}});
 }
 
+SettingProbe tableListingProbe() {
+  return {"a listing over a table that turns",
+          std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
+          programOf(kPlate, ".ls"),
+          {{"fanuc.coordinated=false", "joints.external=held"},
+           {"fanuc.positioner_frame=2"},
+           {"fanuc.positioner_tool=2"},
+           {"robot_program.external_axes=external_1=-e1+90"}}};
+}
+
 std::vector<SettingProbe> robotProbes() {
   return {robotProbe("KRL", ".src",
                      {{"robot_program.name=plate"},
@@ -181,13 +191,7 @@ std::vector<SettingProbe> robotProbes() {
                       {"urscript.acceleration_m_s2=1"},
                       {"urscript.joint_acceleration_rad_s2=1"},
                       {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
-          fanucProbe(),
-          {"a listing over a table that turns",
-           std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
-           programOf(kPlate, ".ls"),
-           {{"fanuc.coordinated=false", "joints.external=held"},
-            {"fanuc.positioner_frame=2"},
-            {"fanuc.positioner_tool=2"}}},
+          fanucProbe(), tableListingProbe(),
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
                       {"inform.corner_level=2"},

@@ -155,6 +155,9 @@ struct RobotProgramSettings {
   std::vector<double> joint_signs;
   /// Value that the controller shows for each joint at the description's zero; empty for 0 at all joints.
   std::vector<double> joint_zeros_deg;
+  /// Order, sense and zero of external axes: "external_1=e2, external_2=-e1+90"; empty for those of the
+  /// joints.
+  std::string external_axes;
   /// Whether a run that is too long for a file is cut, with the process stopped at the cut; otherwise it is
   /// refused.
   bool may_cut = false;

@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
+#include "program/robot/robot_cell.hpp"
 
 namespace lamina {
 namespace {
@@ -224,6 +225,10 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
       "the same way.");
   schema.numbers("robot_program.joint_zeros_deg", settings.joint_zeros_deg, 6,
                  "Where the controller counts each joint that the description has at zero; empty for zero.");
+  schema.text("robot_program.external_axes", settings.external_axes,
+              "Axes of the controller by external joint, with commas between, with a minus where they count "
+              "the other way and the value at the joint's zero behind: external_1=e2, external_2=-e1+90. "
+              "Empty for e1, e2, ... in the order of the joints.");
   schema.flag(
       "robot_program.allow_cut", settings.may_cut,
       "Whether a run that no file can hold is cut, with the process stopped there; else it is refused.");
@@ -285,6 +290,7 @@ void requireConsistent(const RobotProgramSettings& settings) {
         "'schedules'");
   requireDate(settings.date);
   robotLevels(settings.levels);
+  robotExternals(settings.external_axes);
 }
 
 }  // namespace lamina

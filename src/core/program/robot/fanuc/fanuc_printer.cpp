@@ -21,7 +21,6 @@ constexpr std::size_t kFanucCommentWidth = 16;
 constexpr int kFanucDecimals = 3;
 constexpr double kLongestFanucWait = 327.67;  // s: 32767 hundredths
 constexpr double kGreatestFanucLevel = 1e5;   // of an analogue output
-constexpr double kHeldTable = 5e-4;           // deg: what is written as 0.000
 constexpr int kMostArcEquipment = 5;
 constexpr int kWeldSpeedDecimals = 6;
 constexpr double kSameWeldSpeed = 1e-9;  // of it
@@ -139,18 +138,8 @@ class FanucPrinter : public RobotPrinter {
                      "% FINE   ");
   }
 
-  /// Without COORD points are taken over a frame that stands still, wherever the table has turned the bed.
-  void requireHeldTable(const std::vector<double>& external) const {
-    if (site_.settings.fanuc.is_coordinated || !site_.cell || !site_.cell->is_bed_carried) return;
-    for (std::size_t k = 0; k < external.size(); ++k)
-      if (site_.external[k] == JointKind::Rotary && std::abs(external[k]) > kHeldTable)
-        throw InvalidInput("fanuc.coordinated is false, and axis external_" + std::to_string(k + 1) +
-                           " turns the bed to " + numberText(external[k]) +
-                           " deg; expected true, or 0 deg (joints.external 'held')");
-  }
-
   void add(const TipMove& move) {
-    requireHeldTable(move.external);
+    if (!site_.settings.fanuc.is_coordinated) requireHeldTable(move.external, site_, "fanuc.coordinated");
     const std::string speed = speedOf(move);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);

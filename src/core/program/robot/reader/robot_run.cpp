@@ -57,6 +57,16 @@ ControllerMap notedMap(NoteWords& words) {
   return map;
 }
 
+ExternalEntry notedExternal(NoteWords& words, std::size_t slot) {
+  ExternalEntry entry;
+  entry.joint = std::string(words.next());
+  entry.slot = slot;
+  entry.sign = boundedNumber(words, 1.0, "1 or -1 for an external axis");
+  if (std::abs(entry.sign) != 1.0) words.refuse(numberText(entry.sign), "1 or -1 for an external axis");
+  entry.zero = boundedNumber(words, 1e5, "the zero of an external axis in mm or deg");
+  return entry;
+}
+
 ControllerJoints notedJoints(NoteWords& words) {
   ControllerJoints joints;
   for (double& each : joints.arm_deg)
@@ -154,6 +164,15 @@ class RobotRun {
     words.expectEnd();
   }
 
+  /// The first file of a program states each of them, once.
+  void addExternal(NoteWords& words) {
+    std::vector<ExternalEntry>& external = running_.head.map.external;
+    ExternalEntry entry = notedExternal(words, external.size());
+    for (const ExternalEntry& each : external)
+      if (each.joint == entry.joint) words.refuse(entry.joint, "a note of each external joint once");
+    external.push_back(std::move(entry));
+  }
+
   /// Whether it is a note on the whole program.
   bool addToHead(NoteWords& words) {
     RobotHeadNotes& head = running_.head;
@@ -175,7 +194,13 @@ class RobotRun {
       running_.equipment.process.insert("dry run at " + shortestText(percent) + " % of the speed");
       return true;
     }
-    if (words.take("joints")) return head.map = notedMap(words), true;
+    if (words.take("joints")) {
+      std::vector<ExternalEntry> external = std::move(head.map.external);
+      head.map = notedMap(words);
+      head.map.external = std::move(external);
+      return true;
+    }
+    if (words.take(kExternalNote)) return addExternal(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {
       const RobotLevel level = notedLevel(words);
