@@ -157,6 +157,14 @@ SettingProbe tableListingProbe() {
            {"robot_program.external_axes=external_1=-e1+90"}}};
 }
 
+SettingProbe tableJobProbe() {
+  return {"a job over a table that turns",
+          std::string(kSmall) +
+              "machine.name=irb_4600_turntable;joints.external=follow;inform.external_pulses=1000",
+          programOf(kPlate, ".jbi"),
+          {{"inform.external_pulses=500"}, {"inform.coordinated=false", "joints.external=held"}}};
+}
+
 std::vector<SettingProbe> robotProbes() {
   return {robotProbe("KRL", ".src",
                      {{"robot_program.name=plate"},
@@ -191,7 +199,9 @@ std::vector<SettingProbe> robotProbes() {
                       {"urscript.acceleration_m_s2=1"},
                       {"urscript.joint_acceleration_rad_s2=1"},
                       {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
-          fanucProbe(), tableListingProbe(),
+          fanucProbe(),
+          tableListingProbe(),
+          tableJobProbe(),
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
                       {"inform.corner_level=2"},

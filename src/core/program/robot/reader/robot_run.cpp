@@ -141,7 +141,7 @@ class RobotRun {
   void add(const NoteLine& note) {
     NoteWords words(note.text, line_, *file_);
     // Of whoever parsed the file.
-    if (words.take("speeds") || words.take("pulses")) return;
+    if (words.take("speeds") || words.take(kPulsesNote) || words.take(kExternalPulsesNote)) return;
     if (words.take(kArcOnNote) || words.take(kArcOffNote)) {
       has_arc_texts_ = true;
       running_.equipment.process.insert(note.text);
@@ -225,6 +225,7 @@ class RobotRun {
     RunWay way;
     way.before = running_.moves.size();
     way.joints = move.pose ? *noted : move.joints;
+    way.joints->external = move.joints.external;
     way.line = line_;
     running_.ways.push_back(std::move(way));
   }

@@ -224,19 +224,21 @@ void requireMemory(const std::vector<RobotFile>& files, const RobotDialect& dial
                         "), or fewer points");
 }
 
-/// Listings of Fanuc number rails in group 1 and rotary axes in group 2.
-void requireRailsFirst(const std::vector<JointKind>& kinds) {
+/// Rails are of the arm's group, rotary axes of one behind it.
+void requireRailsFirst(const std::vector<JointKind>& kinds, RobotLanguage language) {
   for (std::size_t k = 1; k < kinds.size(); ++k)
     if (kinds[k] == JointKind::Linear && kinds[k - 1] == JointKind::Rotary)
       throw InvalidConfig("external axis " + std::to_string(k + 1) +
                           " of the controller is a rail, and axis " + std::to_string(k) +
-                          " turns; expected rails first in listings of Fanuc (robot_program.external_axes)");
+                          " turns; expected rails first in " + toString(language) +
+                          " (robot_program.external_axes)");
 }
 
 void requireExternals(const ControllerMap& map, RobotLanguage language, const KinematicModel& arm) {
   const std::string mismatch = externalMismatch(map, arm);
   if (!mismatch.empty()) throw InvalidConfig("robot_program.external_axes: its axes " + mismatch);
-  if (language == RobotLanguage::Fanuc) requireRailsFirst(controllerAxisKinds(map, arm));
+  if (language == RobotLanguage::Fanuc || language == RobotLanguage::Inform)
+    requireRailsFirst(controllerAxisKinds(map, arm), language);
 }
 
 }  // namespace
