@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
@@ -21,13 +23,20 @@ constexpr int kInformPositionDecimals = 3;     // mm
 constexpr int kInformAngleDecimals = 4;        // deg
 constexpr double kGreatestInformLevel = 14.0;  // V
 constexpr double kLongestInformWait = 655.35;  // s: 65535 hundredths
+constexpr std::size_t kInformDigits = 5;       // of a point's number
 constexpr double kMostPulses = 2e9;            // a whole number of 32 bits
 
+/// `C00012`.
 /// @param kind  C, BC or EC
 std::string informPoint(const char* kind, std::size_t number) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%s%05zu", kind, number);
-  return name;
+  const std::string digits = std::to_string(number);
+  std::string name = kind;
+  if (digits.size() < kInformDigits) name.append(kInformDigits - digits.size(), '0');
+  return name.append(digits);
+}
+
+void appendLines(std::string& text, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) text.append(line).append("\r\n");
 }
 
 bool isBeyondHalfTurn(double degrees) { return degrees >= 180.0 || degrees < -180.0; }
@@ -57,9 +66,11 @@ class InformPrinter : public RobotPrinter {
                                       "///NPOS " + std::to_string(points_) + "," +
                                           std::to_string(base_.size()) + "," +
                                           std::to_string(station_.size()) + ",0,0,0"};
-    lines.insert(lines.end(), positions_.begin(), positions_.end());
-    if (!site_.external.empty() && points_ > 0 && kind_ != "PULSE")
-      lines.insert(lines.end(), {"///POSTYPE PULSE", "///PULSE"});
+    std::string text;
+    appendLines(text, lines);
+    appendLines(text, positions_);
+    lines.clear();
+    if (!site_.external.empty() && points_ > 0 && kind_ != "PULSE") lines = {"///POSTYPE PULSE", "///PULSE"};
     lines.insert(lines.end(), base_.begin(), base_.end());
     lines.insert(lines.end(), station_.begin(), station_.end());
     std::string date = settings.date;
@@ -78,11 +89,10 @@ class InformPrinter : public RobotPrinter {
     for (const std::string& note : notes)
       for (const std::string& comment : noteComments(note, "'", kInformCommentWidth))
         lines.push_back(comment);
-    lines.insert(lines.end(), instructions_.begin(), instructions_.end());
-    lines.emplace_back("END");
-    std::string text;
-    for (const std::string& line : lines) text += line + "\r\n";
-    return {{head.name + ".jbi", text}};
+    appendLines(text, lines);
+    appendLines(text, instructions_);
+    text += "END\r\n";
+    return {{head.name + ".jbi", std::move(text)}};
   }
 
  private:
@@ -145,6 +155,7 @@ class InformPrinter : public RobotPrinter {
 
   /// Of the point before.
   void addExternal(const std::vector<double>& external) {
+    if (site_.external.empty()) return;
     if (external.size() < site_.external.size())
       throw InvalidInput("a move states " + std::to_string(external.size()) + " external axes; expected " +
                          std::to_string(site_.external.size()));
@@ -210,13 +221,12 @@ class InformPrinter : public RobotPrinter {
     rconf_ = rconf;
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;
-    std::string values;
+    std::string line = informPoint("C", points_++);
     for (int axis = 0; axis < 3; ++axis)
-      values += decimalText(move.point[axis], kInformPositionDecimals) + ",";
-    positions_.push_back(informPoint("C", points_++) + "=" + values +
-                         decimalText(angles.x_deg, kInformAngleDecimals) + "," +
-                         decimalText(angles.y_deg, kInformAngleDecimals) + "," +
-                         decimalText(angles.z_deg, kInformAngleDecimals));
+      appendDecimals(line += axis == 0 ? '=' : ',', move.point[axis], kInformPositionDecimals);
+    for (const double angle : {angles.x_deg, angles.y_deg, angles.z_deg})
+      appendDecimals(line += ',', angle, kInformAngleDecimals);
+    positions_.push_back(std::move(line));
   }
 
   /// Flip, elbow, front or rear, and whether joints 4, 6 and 1 are beyond half a turn.
