@@ -112,7 +112,7 @@ PROGRAMS = (
     ("point out of the number format", long_rail, "src", ("joints.rail=follow",), (" mm; must be within -99999.999 to 99999.999 mm in KRL",)),
     ("table that turns uncoordinated", held_cell, "ls", ("fanuc.coordinated=false", "joints.external_deg=10"), ("fanuc.coordinated is false, and axis external_1 turns the bed to 10 deg; expected true, or 0 deg",)),
     ("external axes in URScript", held_cell, "script", (), ("the arm has 2 external axes; expected none: URScript moves none",)),
-    ("external axes in INFORM", held_cell, "jbi", (), ("the arm has 2 external axes; expected none",)),
+    ("external axes in INFORM", held_cell, "jbi", (), ("the arm has 2 external axes, and inform.external_pulses 0 numbers; expected the pulses of each",)),
     ("channel out of its bounds", "irb_4600", "src", LASER + ("levels.channels={laser_power_w: {upper: 1000}}",),
      ("layer 0 at 0.8 mm, path 0, waypoint 0: laser_power_w is 1200 W by levels.values; expected 0 W to 1000 W",)),
     ("unknown value", "irb_4600", "src", ("levels.values=laser_kw=1",), ("levels.values holds 'laser_kw", "known are laser_power_w, wire_speed_mm_s")),

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "job/arm/clear_branches.hpp"
 #include "job/raised_axes.hpp"
 #include "joint_program.hpp"
 #include "lamina/base/angle.hpp"
@@ -146,17 +147,12 @@ bool mayRaise(const JobSettings& settings, const SlicedPart& sliced) {
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }
 
-/// A run of a part, and what stands in its way.
-struct CheckedRun {
-  KinematicModelRun run;
-  MachineCheck check;
-};
-
 CheckedRun checkedRun(const CheckedMachine& machine, const SliceJob& job, const SlicedPart& sliced,
                       const JointPathSettings& joints, Progress& progress) {
   KinematicModelRun run = runOn(machine, sliced.toolpath, sliced.bed_from_part, joints, progress);
   MachineCheck check = checkRun(run, machine, job.settings.clearance, progress);
-  return {std::move(run), std::move(check)};
+  return withClearBranches({std::move(run), std::move(check)}, machine,
+                           {sliced.toolpath, sliced.bed_from_part, joints, job.settings.clearance}, progress);
 }
 
 /// A part whose tool axis leans, raised where the machine would run into something, or cannot get there, as

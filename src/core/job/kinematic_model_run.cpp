@@ -78,6 +78,30 @@ bool movesLinearAxesAlone(const KinematicModelRun& run, const KinematicModel& mo
   return true;
 }
 
+constexpr double kComesBack = 1e-4;  // rad, mm: the digits of a program
+
+bool isBackAt(const JointValues& one, const JointValues& other) {
+  return one.size() == other.size() && one.size() > 0 && (one - other).cwiseAbs().maxCoeff() <= kComesBack;
+}
+
+/// Time along the part of the motions that passages run instead: one that ends elsewhere than it began comes
+/// to the next waypoint of the program by itself.
+double replacedTime(const KinematicModelRun& run, const JointTrajectory& trajectory) {
+  const std::vector<double>& times = trajectory.stationTimes();
+  const std::vector<JointValues>& values = run.path.values;
+  double time_s = 0.0;
+  for (const RunPassage& passage : run.passages) {
+    const std::size_t begin = passage.joints.before;
+    if (begin == 0 || begin >= times.size()) continue;
+    const JointValues& last = passage.joints.values.back();
+    if (last.size() == 0 || isBackAt(last, values[begin - 1])) continue;
+    std::size_t end = begin;  // a motion may be divided, under one line
+    while (end + 1 < times.size() && run.lines[end + 1] == run.lines[begin]) ++end;
+    time_s += times[end] - times[begin - 1];
+  }
+  return time_s;
+}
+
 }  // namespace
 
 KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
@@ -156,8 +180,9 @@ TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const Timing
   TimedRun timed;
   timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, model, settings);
   timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
-  timed.figures = {timed.time.total_s + passageTime(run.passages, model, settings),
-                   slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
+  timed.figures = {
+      timed.time.total_s + passageTime(run.passages, model, settings) - replacedTime(run, *timed.trajectory),
+      slowBeadShare(*timed.trajectory, run.path, run.toolpath())};
   timed.run = std::move(run);
   return timed;
 }

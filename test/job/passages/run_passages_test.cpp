@@ -18,6 +18,7 @@
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/kinematics/joint_path/joint_path_planner.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
@@ -215,6 +216,47 @@ TEST_F(RunPassages, TakeTimeFromRestToRest) {
   back.feed_mm_s = 20.0;
   motion.passages[0].ways.push_back(back);
   EXPECT_NEAR(passageTime(ledPassages(*model, motion, {}), *model, settings), joints_s + 2.02, 1e-3);
+}
+
+/// A travel of 100 mm, in whose place joint 1 swings aside and back: 2 s at 50 mm/s and a ramp of 0.05 s,
+/// which nobody runs.
+TEST_F(RunPassages, ReplaceTheTravelThatTheyLeadBeside) {
+  const auto model = kinematicModelOf(job_.settings.machine);
+  Toolpath toolpath;
+  const auto addPath = [&](PathRole role, double from, double to) {
+    Path path;
+    path.role = role;
+    path.feed_mm_s = 50.0;
+    if (role != PathRole::Travel) path.bead = Bead{6.0, 2.0};
+    path.orientation = AlongPath<Eigen::Quaterniond>(nozzleDown());
+    path.points = {Point3(from, 0, 2), Point3(to, 0, 2)};
+    if (toolpath.layers.empty()) toolpath.layers.push_back({2.0, 2.0, {}});
+    toolpath.layers[0].paths.push_back(std::move(path));
+  };
+  addPath(PathRole::OuterWall, 0.0, 20.0);
+  addPath(PathRole::Travel, 20.0, 120.0);
+  addPath(PathRole::OuterWall, 120.0, 140.0);
+  JointPathSettings planning;
+  planning.yaw = YawChoice::Held;
+  StatedMotion motion;
+  motion.toolpath = toolpath;
+  motion.between = StatedMove::Nozzle;
+  motion.joints = planJointPath(toolpath, Eigen::Isometry3d::Identity(), *model, planning, nobody_);
+  std::size_t arrival = 0;
+  for (std::size_t i = 0; i < motion.joints.at.size(); ++i) {
+    motion.lines.push_back(10 + i);
+    if (motion.joints.at[i].path == 1) arrival = i;
+  }
+  TimingSettings settings;
+  settings.motion.travel_acceleration_mm_s2 = 1000.0;
+  const TimedRun direct = inTime(runAsStated(*model, motion, planning), *model, settings);
+  JointValues aside = motion.joints.values[arrival - 1];
+  aside[0] += 0.2;
+  motion.passages = {{arrival, {{aside, StatedMove::Joints, 9, ""}}, 50.0}};
+  const TimedRun led = inTime(runAsStated(*model, motion, planning), *model, settings);
+  const double beside_s = passageTime(led.run.passages, *model, settings);
+  EXPECT_GT(beside_s, 2.0);
+  EXPECT_NEAR(direct.figures.total_s + beside_s - led.figures.total_s, 2.05, 0.1);
 }
 
 /// 200 mm there and 200 mm back at the feed of travels.

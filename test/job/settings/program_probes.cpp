@@ -147,6 +147,24 @@ SettingProbe fanucProbe() {
        {"fanuc.max_lines=100", "robot_program.allow_cut=true"}});
 }
 
+SettingProbe tableListingProbe() {
+  return {"a listing over a table that turns",
+          std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
+          programOf(kPlate, ".ls"),
+          {{"fanuc.coordinated=false", "joints.external=held"},
+           {"fanuc.positioner_frame=2"},
+           {"fanuc.positioner_tool=2"},
+           {"robot_program.external_axes=external_1=-e1+90"}}};
+}
+
+SettingProbe tableJobProbe() {
+  return {"a job over a table that turns",
+          std::string(kSmall) +
+              "machine.name=irb_4600_turntable;joints.external=follow;inform.external_pulses=1000",
+          programOf(kPlate, ".jbi"),
+          {{"inform.external_pulses=500"}, {"inform.coordinated=false", "joints.external=held"}}};
+}
+
 std::vector<SettingProbe> robotProbes() {
   return {robotProbe("KRL", ".src",
                      {{"robot_program.name=plate"},
@@ -182,12 +200,8 @@ std::vector<SettingProbe> robotProbes() {
                       {"urscript.joint_acceleration_rad_s2=1"},
                       {"urscript.max_points=10", "robot_program.allow_cut=true"}}),
           fanucProbe(),
-          {"a listing over a table that turns",
-           std::string(kSmall) + "machine.name=irb_4600_turntable;joints.external=follow",
-           programOf(kPlate, ".ls"),
-           {{"fanuc.coordinated=false", "joints.external=held"},
-            {"fanuc.positioner_frame=2"},
-            {"fanuc.positioner_tool=2"}}},
+          tableListingProbe(),
+          tableJobProbe(),
           robotProbe("INFORM", ".jbi",
                      {{"inform.speed_unit=cm_min"},
                       {"inform.corner_level=2"},

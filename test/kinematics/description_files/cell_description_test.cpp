@@ -296,9 +296,13 @@ TEST_F(CellFolder, AProfileIsNoCell) {
 TEST_F(CellFolder, WhatIsWrongIsRefusedAsAWhole) {
   EXPECT_NE(failureOf("cell:\n  arm: {urdf: arm.urdf}\n").find("lacks arm or bed"), std::string::npos);
   EXPECT_NE(failureOf(std::string(kPlain) + "  gantry: 1\n"), "");
-  EXPECT_NE(failureOf("cell:\n  arm: {urdf: arm.urdf}\n  bed: {size_mm: [1, 1]}\n")
-                .find("lies across the last axis"),
-            std::string::npos);
+  // Joint 6 turns about y of the last link.
+  EXPECT_NE(
+      failureOf("cell:\n  arm: {urdf: arm.urdf}\n  bed: {size_mm: [1, 1]}\n")
+          .find(
+              "lies across the last axis; expected cell.arm.flange_turn_deg, by which it is turned: [0, 90, "
+              "90] along it, or [0, -90, 90] against it"),
+      std::string::npos);
   EXPECT_NE(failureOf(std::string(kPlain) + "  positioner: {urdf: arm.urdf}\n").find("has 6 driven joints"),
             std::string::npos);
 }

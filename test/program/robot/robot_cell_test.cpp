@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cstdio>
+
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/progress.hpp"
@@ -16,6 +18,7 @@
 #include "lamina/program/robot/robot_reader.hpp"
 #include "lamina/program/robot/robot_writer.hpp"
 #include "support/arms.hpp"
+#include "support/tilting_arm.hpp"
 #include "support/toolpaths.hpp"
 
 namespace lamina {
@@ -172,6 +175,203 @@ TEST_F(RobotGantry, IsLedByTheProgramsThatHaveAxesForIt) {
   std::string text;
   program.write(0, [&text](std::string_view piece) { text += piece; });
   expectSame(readRapidMotion({{"gantry.mod", text}}, "part", *arm_), "RAPID");
+}
+
+/// The controller has the axis across first, which it counts the other way from 3 m on.
+constexpr const char* kSwapped = "external_1=e2, external_2=-e1+3000";
+
+TEST_F(RobotGantry, IsWrittenAsTheControllerOrdersAndCountsItsAxes) {
+  const RobotMotion robot{*arm_, joints_};
+  RobotProgramSettings settings;
+  settings.external_axes = kSwapped;
+  const Eigen::Vector2d last = joints_.values.back().tail<2>();
+  const auto number = [](double value, int decimals) {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.*f", decimals, value);
+    return std::string(text);
+  };
+  const auto krl = robotProgram(toolpath_, place_, {RobotLanguage::Krl, "gantry", settings}, &robot);
+  const std::string in_krl = ",E1 " + number(3000.0 - last[1], 4) + ",E2 " + number(last[0], 4) + "}";
+  EXPECT_NE(krl[0].text.find(in_krl), std::string::npos) << in_krl << "\n" << krl[0].text.substr(0, 3000);
+  expectSame(readRobotMotion(krl, "part", *arm_), "KRL");
+  const auto fanuc = robotProgram(toolpath_, place_, {RobotLanguage::Fanuc, "gantry", settings}, &robot);
+  expectSame(readRobotMotion(fanuc, "part", *arm_), "Fanuc");
+  const auto plain = robotProgram(toolpath_, place_, {RobotLanguage::Fanuc, "gantry", {}}, &robot);
+  EXPECT_NE(fanuc[0].text, plain[0].text);
+}
+
+TEST_F(RobotGantry, IsCarriedByBaseAxesInJobsOfInform) {
+  const RobotMotion robot{*arm_, joints_};
+  RobotProgramSettings settings;
+  settings.external_axes = kSwapped;
+  settings.inform.external_pulses = {1000.0, -2000.0};
+  const auto files = robotProgram(toolpath_, place_, {RobotLanguage::Inform, "gantry", settings}, &robot);
+  const std::string& text = files[0].text;
+  const Eigen::Vector2d last = joints_.values.back().tail<2>();
+  const std::string base = "=" + std::to_string(std::lround(1000.0 * (3000.0 - last[1]))) + "," +
+                           std::to_string(std::lround(-2000.0 * last[0])) + "\r\n";
+  EXPECT_NE(text.find(base), std::string::npos) << base << text;
+  // A move of the joints, 41 of the tip, and the way off the part.
+  EXPECT_NE(text.find("///NPOS 43,43,0,0,0,0\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("MOVJ C00000 BC00000 VJ=10.00\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("MOVL C00041 BC00041 V=50.0 PL=0\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("///GROUP1 RB1,BS1\r\nNOP\r\n"), std::string::npos) << text;
+  expectSame(readRobotMotion(files, "part", *arm_), "INFORM");
+  settings.inform.pulses_per_deg = {1000, 1000, 1000, 500, 500, 250.5};
+  const auto in_pulses = robotProgram(toolpath_, place_, {RobotLanguage::Inform, "gantry", settings}, &robot);
+  expectSame(readRobotMotion(in_pulses, "part", *arm_), "INFORM in pulses");
+  settings.inform.external_pulses = {1000.0};
+  EXPECT_THROW(robotProgram(toolpath_, place_, {RobotLanguage::Inform, "gantry", settings}, &robot),
+               InvalidInput);
+}
+
+TEST_F(RobotGantry, JobsWhosePointsOfExternalAxesAreNotAsStatedAreRefused) {
+  const RobotMotion robot{*arm_, joints_};
+  RobotProgramSettings settings;
+  settings.inform.external_pulses = {1000.0, 1000.0};
+  const auto files = robotProgram(toolpath_, place_, {RobotLanguage::Inform, "gantry", settings}, &robot);
+  const auto refusal = [&](const std::string& what, const std::string& by) -> std::string {
+    auto changed = files;
+    const std::size_t at = changed[0].text.find(what);
+    if (at == std::string::npos) return "'" + what + "' is not there";
+    changed[0].text.replace(at, what.size(), by);
+    try {
+      readRobotMotion(changed, "part", *arm_);
+      return "";
+    } catch (const InvalidProgram& error) {
+      return error.what();
+    }
+  };
+  const auto isRefused = [&](const std::string& what, const std::string& by, const std::string& expected) {
+    EXPECT_NE(refusal(what, by).find(expected), std::string::npos) << refusal(what, by);
+  };
+  isRefused("'# external_pulses 1000 1000", "'# external_pulses 1000", "a note 'external_pulses'");
+  isRefused("'# external_pulses 1000 1000", "'# external_pulses 1000 0", "pulses in a mm or a degree");
+  isRefused("///NPOS 43,43,", "///NPOS 43,42,", "expected 42, as ///NPOS says");
+  isRefused("MOVL C00002 BC00002 ", "MOVL C00002 BC00001 ", "each point in one move");
+  isRefused("MOVL C00002 BC00002 ", "MOVL BC00002 ", "a point of the arm");
+  isRefused("MOVL C00002 BC00002 ", "MOVL C00002 ", "a move has 0 external axes");
+}
+
+TEST_F(RobotGantry, AxesThatItDoesNotHaveAreRefusedByName) {
+  const RobotMotion robot{*arm_, joints_};
+  const auto refusal = [&](const std::string& axes, const RobotMotion* motion) -> std::string {
+    RobotProgramSettings settings;
+    settings.external_axes = axes;
+    try {
+      robotProgram(toolpath_, place_, {RobotLanguage::Krl, "gantry", settings}, motion);
+      return "";
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(refusal("external_1=e1", &robot).find("do not name joint external_2"), std::string::npos);
+  EXPECT_NE(refusal("external_1=e1,external_9=e2", &robot).find("name joint external_9"), std::string::npos);
+  EXPECT_NE(refusal("external_1=e1,external_2=e3", &robot).find("names e3 without e2"), std::string::npos);
+  EXPECT_NE(refusal("external_1=e7,external_2=e1", &robot).find("expected joint=axis"), std::string::npos);
+  EXPECT_NE(refusal(kSwapped, nullptr).find("without an arm"), std::string::npos);
+}
+
+/// The frame was measured with the joint at zero, whatever the controller counts there.
+TEST(RobotCell, TablesAreHeldWhereTheirJointIsAtZero) {
+  NoProgress nobody;
+  const auto arm = kinematicModelByName("irb_4600_turntable");
+  const Toolpath toolpath = test::twoLayers();
+  const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  RobotProgramSettings settings;
+  settings.fanuc.is_coordinated = false;
+  settings.external_axes = "external_1=-e1+90";
+  const auto refusal = [&](double held_deg) -> std::string {
+    JointPathSettings planning;
+    planning.external_deg = held_deg;
+    const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
+    const RobotMotion robot{*arm, joints};
+    try {
+      robotProgram(toolpath, place, {RobotLanguage::Fanuc, "part", settings}, &robot);
+      return "";
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal(0.0), "");
+  EXPECT_NE(refusal(90.0).find("axis external_1 turns the bed to 0 deg; expected true, or 90 deg"),
+            std::string::npos)
+      << refusal(90.0);
+}
+
+/// A table held turned, which the controller counts the other way.
+TEST(RobotCell, JobsOverATableMoveItsStation) {
+  NoProgress nobody;
+  const auto arm = kinematicModelByName("irb_4600_turntable");
+  const Toolpath toolpath = test::twoLayers();
+  const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  JointPathSettings planning;
+  planning.external_deg = 30.0;
+  const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
+  const RobotMotion robot{*arm, joints};
+  RobotProgramSettings settings;
+  settings.external_axes = "external_1=-e1+90";
+  settings.inform.external_pulses = {1000.0};
+  const auto files = robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot);
+  const std::string& text = files[0].text;
+  EXPECT_NE(text.find("\r\nEC00001=60000\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("///GROUP1 RB1\r\n///GROUP2 ST1\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("MOVJ C00000 VJ=10.00 +MOVJ EC00000 VJ=10.00\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("SMOVL C00001 V="), std::string::npos) << text;
+  EXPECT_NE(text.find(" +MOVJ EC00001\r\n"), std::string::npos) << text;
+  const StatedMotion motion = readRobotMotion(files, "part", *arm);
+  ASSERT_EQ(motion.joints.values.size(), joints.values.size());
+  for (const JointValues& values : motion.joints.values)
+    EXPECT_NEAR(toDegrees(values[values.size() - 1]), 30.0, 1e-3);
+  settings.inform.is_coordinated = false;
+  EXPECT_THROW(robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot),
+               InvalidInput);
+  planning.external_deg = 0.0;
+  const JointPath held = planJointPath(toolpath, place, *arm, planning, nobody);
+  const RobotMotion still{*arm, held};
+  const auto apart = robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &still);
+  EXPECT_NE(apart[0].text.find(" +MOVJ EC00001 VJ=10.00\r\n"), std::string::npos) << apart[0].text;
+  EXPECT_EQ(apart[0].text.find("SMOVL"), std::string::npos);
+  EXPECT_NO_THROW(readRobotMotion(apart, "part", *arm));
+}
+
+/// Listings of Fanuc hold rails before what turns.
+TEST(RobotCell, RailsBehindWhatTurnsAreRefusedInListings) {
+  const auto arm = kinematicModelFromUrdf(test::tiltingArm());
+  RobotProgramSettings settings;
+  settings.external_axes = "external_1=e2,external_2=-e1+90";
+  EXPECT_NO_THROW(requireWritable({RobotLanguage::Fanuc, "part", settings}, *arm));
+  std::string urdf = test::tiltingArm();
+  const std::string tilt = "name=\"external_1\" type=\"revolute\"";
+  urdf.replace(urdf.find(tilt), tilt.size(), "name=\"external_1\" type=\"prismatic\"");
+  const auto sliding = kinematicModelFromUrdf(urdf);
+  EXPECT_THROW(requireWritable({RobotLanguage::Fanuc, "part", settings}, *sliding), InvalidConfig);
+  EXPECT_NO_THROW(requireWritable({RobotLanguage::Krl, "part", settings}, *sliding));
+  // The order of the joints may be wrong too.
+  std::string turning_first = test::tiltingArm();
+  const std::string turn = "name=\"external_2\" type=\"continuous\"";
+  turning_first.replace(turning_first.find(turn), turn.size(), "name=\"external_2\" type=\"prismatic\"");
+  const std::string limit = "velocity=\"2\"";
+  turning_first.replace(turning_first.find(limit), limit.size(), "lower=\"-1\" upper=\"1\" velocity=\"2\"");
+  const auto tipping = kinematicModelFromUrdf(turning_first);
+  EXPECT_THROW(requireWritable({RobotLanguage::Fanuc, "part", {}}, *tipping), InvalidConfig);
+}
+
+/// A program that counts an axis of another arm would be followed wrongly.
+TEST_F(RobotGantry, ProgramsOfOtherAxesAreRefused) {
+  const RobotMotion robot{*arm_, joints_};
+  RobotProgramSettings settings;
+  settings.external_axes = kSwapped;
+  auto files = robotProgram(toolpath_, place_, {RobotLanguage::Krl, "gantry", settings}, &robot);
+  std::string& text = files[0].text;
+  const std::string note = "external external_2 -1 3000";
+  ASSERT_NE(text.find(note), std::string::npos) << text.substr(0, 2000);
+  const std::string whole = text;
+  text.replace(text.find(note), note.size(), "external external_3 -1 3000");
+  EXPECT_THROW(readRobotMotion(files, "part", *arm_), InvalidProgram);
+  text = whole;
+  text.replace(text.find(note), note.size(), "external external_1 -1 3000");
+  EXPECT_THROW(readRobotMotion(files, "part", *arm_), InvalidProgram);
 }
 
 TEST_F(RobotGantry, IsRefusedByNameWhereAProgramHasNone) {

@@ -118,6 +118,9 @@ struct InformSettings {
   int corner_level = 1;  ///< value of PL, for points that may be rounded
   /// Pulses per degree of each joint; empty if joint moves state poses.
   std::vector<double> pulses_per_deg;
+  /// Pulses of each external axis per mm or deg, in the order of the controller; needed if the arm has any.
+  std::vector<double> external_pulses;
+  bool is_coordinated = true;  ///< whether motions over a bed that a station turns are written as SMOVL
   JointSign flip = JointSign::Positive;  ///< sign of joint 5 if RCONF states flip
   InformRconfOrder rconf_order = InformRconfOrder::FlipElbowFront;
   int rconf_length = 8;  ///< number of values in RCONF: 6, 8 or 24
@@ -155,6 +158,9 @@ struct RobotProgramSettings {
   std::vector<double> joint_signs;
   /// Value that the controller shows for each joint at the description's zero; empty for 0 at all joints.
   std::vector<double> joint_zeros_deg;
+  /// Order, sense and zero of external axes: "external_1=e2, external_2=-e1+90"; empty for those of the
+  /// joints.
+  std::string external_axes;
   /// Whether a run that is too long for a file is cut, with the process stopped at the cut; otherwise it is
   /// refused.
   bool may_cut = false;

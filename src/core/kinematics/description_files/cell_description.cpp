@@ -441,10 +441,12 @@ std::string mergedText(const CellFile& cell) {
   const auto arm = parseMachine(arm_text);
   const std::string flange = flangeOf(*arm, cell.arm.flange);
   if (!cell.arm.base.empty()) requireLink(*arm, cell.arm.base);
-  if (std::abs(flangeCosine(*arm, flange)) < kAcross && !cell.arm.flange_turn_deg)
-    throw InvalidConfig(
-        "arm '" + arm->getName() + "': z of link '" + flange +
-        "' lies across the last axis; expected cell.arm.flange_turn_deg, by which it is turned");
+  const Eigen::Vector3d axis = flangeAxis(*arm, flange);
+  if (std::abs(axis.z()) < kAcross && !cell.arm.flange_turn_deg)
+    throw InvalidConfig("arm '" + arm->getName() + "': z of link '" + flange +
+                        "' lies across the last axis; expected cell.arm.flange_turn_deg, by which it is "
+                        "turned: " +
+                        flangeTurns(axis));
   std::string text = "<robot name=\"" + arm->getName() + "\">" + kCellMaterials +
                      "<link name=\"cell_world\"/>" + innerText(arm_text) +
                      railText(cell, arm->getRoot()->name) + toolText(cell, flange);

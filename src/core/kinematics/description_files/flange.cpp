@@ -3,9 +3,12 @@
 #include "kinematics/description_files/flange.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "kinematics/model/link_motion.hpp"
+#include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 
@@ -20,7 +23,22 @@ std::vector<std::string> endsOf(const urdf::ModelInterface& model) {
   return ends;
 }
 
+/// As a cell file takes it, without decimals that are rounding alone.
+std::string anglesText(double pitch, double yaw) {
+  const auto degrees = [](double angle) {
+    const double rounded = std::round(toDegrees(angle) * 1e3) * 1e-3;
+    return trimmedDecimals(rounded, 3);
+  };
+  return "[0, " + degrees(pitch) + ", " + degrees(yaw) + "]";
+}
+
 }  // namespace
+
+std::string flangeTurns(const Eigen::Vector3d& axis) {
+  const double pitch = std::acos(std::clamp(axis.z(), -1.0, 1.0));
+  const double yaw = std::atan2(axis.y(), axis.x());
+  return anglesText(pitch, yaw) + " along it, or " + anglesText(pitch - M_PI, yaw) + " against it";
+}
 
 std::string flangeOf(const urdf::ModelInterface& model, const std::string& named) {
   for (const std::string& name : {named, std::string("tool0"), std::string("flange")}) {
@@ -44,13 +62,13 @@ std::string flangeOf(const urdf::ModelInterface& model, const std::string& named
   return tip;
 }
 
-double flangeCosine(const urdf::ModelInterface& model, const std::string& flange) {
+Eigen::Vector3d flangeAxis(const urdf::ModelInterface& model, const std::string& flange) {
   Eigen::Isometry3d last_from_flange = Eigen::Isometry3d::Identity();
   for (const urdf::Link* link = &requireLink(model, flange); link->parent_joint;
        link = &requireLink(model, link->parent_joint->parent_link_name)) {
     const urdf::Joint& joint = *link->parent_joint;
     if (joint.type != urdf::Joint::FIXED)
-      return directionOf(model, joint).dot(last_from_flange.linear().col(2));
+      return last_from_flange.linear().transpose() * directionOf(model, joint);
     last_from_flange = poseOf(joint.parent_to_joint_origin_transform) * last_from_flange;
   }
   throw InvalidConfig("arm '" + model.getName() + "': nothing moves link '" + flange +

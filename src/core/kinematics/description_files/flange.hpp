@@ -4,6 +4,7 @@
 
 #include <urdf_model/model.h>
 
+#include <Eigen/Core>
 #include <string>
 
 namespace lamina {
@@ -14,8 +15,13 @@ namespace lamina {
 /// @throws InvalidConfig if there is no link of that name
 std::string flangeOf(const urdf::ModelInterface& model, const std::string& named);
 
-/// Cosine of the angle between the flange's z and the axis of the last joint that moves the flange.
+/// The axis of the last joint that moves the flange, in the flange's frame: its z is the cosine of the angle
+/// between both.
 /// @throws InvalidConfig if no joint moves it
-double flangeCosine(const urdf::ModelInterface& model, const std::string& flange);
+Eigen::Vector3d flangeAxis(const urdf::ModelInterface& model, const std::string& flange);
+
+/// The two turns (roll, pitch, yaw) of a flange that bring its z along its axis and against it, in words:
+/// "[0, 90, 0] along it, or [0, -90, 0] against it".
+std::string flangeTurns(const Eigen::Vector3d& axis);
 
 }  // namespace lamina

@@ -54,7 +54,7 @@ std::vector<std::string> mimicTraps(const urdf::ModelInterface& model) {
 std::vector<std::string> trapsOf(const urdf::ModelInterface& model, const ArmModel& arm,
                                  const std::string& flange) {
   std::vector<std::string> traps = mimicTraps(model);
-  const double cosine = flangeCosine(model, flange);
+  const double cosine = flangeAxis(model, flange).z();
   if (std::abs(cosine) < kAlongAxis)
     traps.push_back("z of '" + flange + "' lies across the last axis");
   else if (cosine < 0.0)

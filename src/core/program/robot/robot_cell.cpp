@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "kinematics/model/external_joint.hpp"
 #include "lamina/base/angle.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/kinematics/arm/arm_controller.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/external_axes.hpp"
@@ -34,6 +36,16 @@ void requireCounted(const char* what, const std::array<double, 6>& counted,
                        "; expected " + listed(stated) + ", of cell.controller");
 }
 
+/// Among the external joints; the arm has it.
+std::size_t externalIndex(const KinematicModel& arm, const std::string& name) {
+  std::size_t index = 0;
+  for (const DrivenJoint& joint : arm.joints()) {
+    if (joint.name == name) break;
+    if (isExternal(joint.name)) ++index;
+  }
+  return index;
+}
+
 }  // namespace
 
 ArmCell controllerCell(const KinematicModel& arm) {
@@ -50,6 +62,69 @@ ArmCell controllerCell(const KinematicModel& arm) {
   return cell;
 }
 
+std::vector<ExternalEntry> robotExternals(const std::string& text) {
+  const ExternalNaming naming{"robot_program.external_axes", "e", '1', "external_1=e2, or external_2=-e1+90"};
+  std::vector<ExternalEntry> entries = externalEntries(text, naming);
+  std::sort(entries.begin(), entries.end(),
+            [](const ExternalEntry& a, const ExternalEntry& b) { return a.slot < b.slot; });
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    if (entries[k].slot != k)
+      throw InvalidConfig(naming.setting + " names " + naming.nameOf(entries[k].slot) + " without " +
+                          naming.nameOf(k) + "; expected e1, e2, ... without a gap");
+  return entries;
+}
+
+std::string externalMismatch(const ControllerMap& map, const KinematicModel& arm) {
+  if (map.external.empty()) return {};
+  std::vector<std::string> joints;
+  for (const DrivenJoint& joint : arm.joints())
+    if (isExternal(joint.name)) joints.push_back(joint.name);
+  const auto isNamed = [&](const std::string& joint) {
+    return std::any_of(map.external.begin(), map.external.end(),
+                       [&](const ExternalEntry& entry) { return entry.joint == joint; });
+  };
+  for (const ExternalEntry& entry : map.external)
+    if (std::find(joints.begin(), joints.end(), entry.joint) == joints.end())
+      return "name joint " + entry.joint + "; expected those of '" + arm.name() +
+             "': " + (joints.empty() ? "it has none" : listed(joints));
+  for (const std::string& joint : joints)
+    if (!isNamed(joint))
+      return "do not name joint " + joint + " of '" + arm.name() + "'; expected each external joint";
+  return {};
+}
+
+std::vector<double> controllerAxes(const ControllerMap& map, const KinematicModel& arm,
+                                   const JointValues& values) {
+  std::vector<double> joints = externalAxes(arm, values);
+  if (map.external.empty()) return joints;
+  std::vector<double> axes;
+  axes.reserve(joints.size());
+  for (const ExternalEntry& entry : map.external)
+    axes.push_back(entry.sign * joints[externalIndex(arm, entry.joint)] + entry.zero);
+  return axes;
+}
+
+std::vector<JointKind> controllerAxisKinds(const ControllerMap& map, const KinematicModel& arm) {
+  std::vector<JointKind> joints = externalAxisKinds(arm);
+  if (map.external.empty()) return joints;
+  std::vector<JointKind> kinds;
+  kinds.reserve(joints.size());
+  for (const ExternalEntry& entry : map.external) kinds.push_back(joints[externalIndex(arm, entry.joint)]);
+  return kinds;
+}
+
+std::optional<JointValues> withControllerAxes(const ControllerMap& map, const KinematicModel& arm,
+                                              const JointValues& values, const std::vector<double>& axes) {
+  if (map.external.empty()) return withExternalAxes(arm, values, axes);
+  if (axes.size() < map.external.size()) return std::nullopt;
+  std::vector<double> joints(map.external.size(), 0.0);
+  for (std::size_t k = 0; k < map.external.size(); ++k) {
+    const ExternalEntry& entry = map.external[k];
+    joints[externalIndex(arm, entry.joint)] = (axes[k] - entry.zero) / entry.sign;
+  }
+  return withExternalAxes(arm, values, joints);
+}
+
 bool ControllerMap::isPlain() const {
   const ControllerMap plain;
   return signs == plain.signs && zeros_deg == plain.zeros_deg && joint_3_from_2 == 0.0;
@@ -62,7 +137,7 @@ ControllerJoints controllerJoints(const ControllerMap& map, const KinematicModel
   for (std::size_t j = 0; j < 6; ++j)
     joints.arm_deg[j] = map.signs[j] * toDegrees(six[static_cast<Eigen::Index>(j)]) + map.zeros_deg[j];
   joints.arm_deg[2] += map.joint_3_from_2 * joints.arm_deg[1];
-  joints.external = externalAxes(arm, values);
+  joints.external = controllerAxes(map, arm, values);
   return joints;
 }
 
@@ -76,7 +151,7 @@ JointValues armJoints(const ControllerMap& map, const KinematicModel& arm, const
   JointValues values = JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()));
   std::vector<double> external = joints.external;
   external.resize(arm.joints().size(), 0.0);
-  return withSixJoints(arm, *withExternalAxes(arm, values, external), six);
+  return withSixJoints(arm, *withControllerAxes(map, arm, values, external), six);
 }
 
 const char* controllerKind(RobotLanguage language) {

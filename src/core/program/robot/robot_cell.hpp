@@ -4,11 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/robot/robot_program_settings.hpp"
+#include "program/external_entries.hpp"
 #include "program/robot/robot_statement.hpp"
 
 namespace lamina {
@@ -24,9 +27,31 @@ struct ControllerMap {
   std::array<double, 6> signs = {1, 1, 1, 1, 1, 1};
   std::array<double, 6> zeros_deg{};
   double joint_3_from_2 = 0.0;
+  /// External axes in the order of the controller; empty for the joints' order, sense and zero.
+  std::vector<ExternalEntry> external;
 
-  bool isPlain() const;
+  bool isPlain() const;  ///< but for external axes
 };
+
+/// The axes of `robot_program.external_axes`, as "external_1=e2, external_2=-e1+90", e1 first.
+/// @throws InvalidConfig as `externalEntries`, or if they are not e1, e2, ... without a gap
+std::vector<ExternalEntry> robotExternals(const std::string& text);
+
+/// What a map states of external axes that an arm does not have, or not of those that it has; empty if
+/// nothing.
+std::string externalMismatch(const ControllerMap& map, const KinematicModel& arm);
+
+/// Values of an arm's external axes as its controller counts them, in its order [mm, deg].
+std::vector<double> controllerAxes(const ControllerMap& map, const KinematicModel& arm,
+                                   const JointValues& values);
+
+/// Kinds of an arm's external axes in the order of the controller.
+std::vector<JointKind> controllerAxisKinds(const ControllerMap& map, const KinematicModel& arm);
+
+/// The inverse of `controllerAxes`: joint values with the external ones replaced; nothing if there are too
+/// few.
+std::optional<JointValues> withControllerAxes(const ControllerMap& map, const KinematicModel& arm,
+                                              const JointValues& values, const std::vector<double>& axes);
 
 /// Joint values of the model, as the controller counts them.
 /// @throws InvalidConfig if the kinematic model is no six-axis arm

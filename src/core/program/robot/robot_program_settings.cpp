@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
+#include "program/robot/robot_cell.hpp"
 
 namespace lamina {
 namespace {
@@ -118,6 +119,13 @@ void describeInform(SettingsSchema& schema, InformSettings& settings) {
   schema.numbers(
       "inform.pulses_per_deg", settings.pulses_per_deg, 6,
       "Pulses of each joint in a degree, from the controller's parameters; empty: joint moves go to poses.");
+  schema.list(
+      "inform.external_pulses", settings.external_pulses, {-1e6, 1e6},
+      "Pulses of each external axis in a mm or a degree, from the controller's parameters, in the order "
+      "of the controller; empty where the arm has none.");
+  schema.flag("inform.coordinated", settings.is_coordinated,
+              "Whether motions over a bed that a station turns are SMOVL: their points are where the bed is "
+              "turned to. Without it the controller takes them over a frame that stands still.");
   schema.choice<JointSign>("inform.flip", settings.flip, jointSigns(),
                            "Sign of joint 5 with which RCONF says flip, 0.");
   schema.choice<InformRconfOrder>("inform.rconf_order", settings.rconf_order,
@@ -131,6 +139,11 @@ void describeInform(SettingsSchema& schema, InformSettings& settings) {
   schema.integer("inform.name_length", settings.name_length, {1, 32},
                  "Characters of a job's name at most: 8 on older controllers.");
   schema.integer("inform.max_points", settings.max_points, {4, 9999}, "Points in a job at most.");
+}
+
+void requirePulses(const std::string& key, const std::vector<double>& pulses, const char* expected) {
+  if (std::find(pulses.begin(), pulses.end(), 0.0) != pulses.end())
+    throw InvalidConfig(key + " holds 0; must be " + expected);
 }
 
 /// "2000-01-31".
@@ -224,6 +237,10 @@ void describe(SettingsSchema& schema, RobotProgramSettings& settings) {
       "the same way.");
   schema.numbers("robot_program.joint_zeros_deg", settings.joint_zeros_deg, 6,
                  "Where the controller counts each joint that the description has at zero; empty for zero.");
+  schema.text("robot_program.external_axes", settings.external_axes,
+              "Axes of the controller by external joint, with commas between, with a minus where they count "
+              "the other way and the value at the joint's zero behind: external_1=e2, external_2=-e1+90. "
+              "Empty for e1, e2, ... in the order of the joints.");
   schema.flag(
       "robot_program.allow_cut", settings.may_cut,
       "Whether a run that no file can hold is cut, with the process stopped there; else it is refused.");
@@ -265,9 +282,10 @@ void requireConsistent(const RobotProgramSettings& settings) {
   for (const double axis : settings.fanuc.turn_axes)
     if (axis != std::round(axis) || axis < 1.0 || axis > 6.0)
       throw InvalidConfig("fanuc.turn_axes holds " + numberText(axis) + "; must be joints 1 to 6");
-  if (std::find(settings.inform.pulses_per_deg.begin(), settings.inform.pulses_per_deg.end(), 0.0) !=
-      settings.inform.pulses_per_deg.end())
-    throw InvalidConfig("inform.pulses_per_deg holds 0; must be the pulses in a degree of each joint");
+  requirePulses("inform.pulses_per_deg", settings.inform.pulses_per_deg,
+                "the pulses in a degree of each joint");
+  requirePulses("inform.external_pulses", settings.inform.external_pulses,
+                "the pulses in a mm or a degree of each external axis");
   if (settings.arc.weave_schedule > 0 && settings.arc.process == RobotProcess::Outputs)
     throw InvalidConfig("robot_program.weave_schedule is " + std::to_string(settings.arc.weave_schedule) +
                         " with robot_program.process 'outputs'; expected 0, or 'schedules'");
@@ -285,6 +303,7 @@ void requireConsistent(const RobotProgramSettings& settings) {
         "'schedules'");
   requireDate(settings.date);
   robotLevels(settings.levels);
+  robotExternals(settings.external_axes);
 }
 
 }  // namespace lamina

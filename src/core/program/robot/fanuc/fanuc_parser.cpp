@@ -37,6 +37,19 @@ class FanucText : public LineSequence {
   LineCursor cursor_;
 };
 
+/// `1:HOME]`, or `1:"HOME"]`: what somebody called a point at the pendant says nothing of it.
+int pointNumber(LineCursor& line) {
+  const int number = line.integer(1, kMostFanucPoints, "the number of a point");
+  if (line.take(":")) {
+    const std::string_view rest = line.rest();
+    const std::size_t end = rest.find(']');
+    if (end == std::string_view::npos) line.refuse("']' behind the name of a point");
+    line = LineCursor(rest.substr(end), line.line(), line.file());
+  }
+  line.expect("]");
+  return number;
+}
+
 void readFrames(FanucText& text) {
   for (const char* name : {"UF", "UT"}) {
     text.here().expect(name);
@@ -113,8 +126,7 @@ std::vector<double> fanucExternal(FanucText& text) {
 std::pair<int, FanucPoint> fanucPoint(FanucText& text) {
   text.here().expect("P");
   text.here().expect("[");
-  const int number = text.here().integer(1, kMostFanucPoints, "the number of a point");
-  text.here().expect("]");
+  const int number = pointNumber(text.here());
   text.here().expect("{");
   text.here().expect("GP1");
   text.here().expect(":");
@@ -176,6 +188,10 @@ class FanucParser {
       }
       line.integer(1, kMostFanucPoints, "the number of a line, or /POS");
       line.expect(":");
+      if (line.take(";")) {
+        line.expectEnd();
+        continue;
+      }
       if (!line.take("!"))
         readStatement(line);
       else
@@ -321,10 +337,9 @@ class FanucParser {
   const FanucPoint& pointNamed(LineCursor& line) const {
     line.expect("P");
     line.expect("[");
-    const int number = line.integer(1, kMostFanucPoints, "the number of a point");
+    const int number = pointNumber(line);
     const auto found = points_.find(number);
     if (found == points_.end()) line.refuse("P[" + std::to_string(number) + "]", "a point below /POS");
-    line.expect("]");
     return found->second;
   }
 

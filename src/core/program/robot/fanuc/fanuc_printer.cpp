@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include "base/decimals.hpp"
 #include "lamina/base/error.hpp"
@@ -19,9 +20,10 @@ namespace {
 constexpr std::size_t kFanucNoteWidth = 32;
 constexpr std::size_t kFanucCommentWidth = 16;
 constexpr int kFanucDecimals = 3;
-constexpr double kLongestFanucWait = 327.67;  // s: 32767 hundredths
-constexpr double kGreatestFanucLevel = 1e5;   // of an analogue output
-constexpr double kHeldTable = 5e-4;           // deg: what is written as 0.000
+constexpr std::size_t kFanucNumberWidth = 10;  // of a value of a point
+constexpr std::size_t kFanucLineWidth = 4;     // of a line's number
+constexpr double kLongestFanucWait = 327.67;   // s: 32767 hundredths
+constexpr double kGreatestFanucLevel = 1e5;    // of an analogue output
 constexpr int kMostArcEquipment = 5;
 constexpr int kWeldSpeedDecimals = 6;
 constexpr double kSameWeldSpeed = 1e-9;  // of it
@@ -34,11 +36,28 @@ std::string fanucSpeed(const TipMove& move, const RobotProgramSettings& settings
   return trimmedDecimals(speed.value, 0) + speed.unit.name;
 }
 
-/// `%10.3f`, never -0.
-std::string fanucNumber(double value, const char* unit) {
+/// What is appended to a text behind `begin` gets blanks before it, up to a width.
+void padBehind(std::string& text, std::size_t begin, std::size_t width) {
+  const std::size_t length = text.size() - begin;
+  if (length < width) text.insert(begin, width - length, ' ');
+}
+
+/// `X =%10.3f  mm`, never -0.
+void appendValue(std::string& text, std::string_view name, double value, const char* unit) {
   requireInFormat(value, unit, RobotLanguage::Fanuc);
-  const std::string digits = decimalText(value, kFanucDecimals);
-  return std::string(digits.size() < 10 ? 10 - digits.size() : 0, ' ') + digits;
+  text.append(name);
+  const std::size_t begin = text.size();
+  appendDecimals(text, value, kFanucDecimals);
+  padBehind(text, begin, kFanucNumberWidth);
+  text.append(*unit == 'm' ? "  mm" : " deg");
+}
+
+/// `%4zu:` before a line of a listing, and a semicolon behind it.
+void appendLine(std::string& text, std::size_t number, const std::string& line) {
+  const std::size_t begin = text.size();
+  text += std::to_string(number);
+  padBehind(text, begin, kFanucLineWidth);
+  text.append(":").append(line).append(" ;\n");
 }
 
 std::string withoutBlanks(std::string line) {
@@ -50,7 +69,8 @@ int turnNumber(double degrees) { return static_cast<int>(std::floor((degrees + 1
 
 class FanucPrinter : public RobotPrinter {
  public:
-  explicit FanucPrinter(const RobotSite& site) : site_(site) {
+  explicit FanucPrinter(const RobotSite& site)
+      : site_(site), frames_(frames(site.settings.frame_number, site.settings.tool_number)) {
     requireNoDrySpeed(site.settings, RobotLanguage::Fanuc);
     requireSchedules(site.settings.arc);
     for (const JointKind kind : site.external) (kind == JointKind::Linear ? rails_ : turns_) += 1;
@@ -77,14 +97,12 @@ class FanucPrinter : public RobotPrinter {
       const int payload = site_.settings.fanuc.payload;
       if (payload > 0) lines.push_back("  PAYLOAD[" + std::to_string(payload) + "]");
     }
-    lines.insert(lines.end(), lines_.begin(), lines_.end());
-    std::string text = attributes(head, lines.size()) + "/MN\n";
-    char number[24];
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      std::snprintf(number, sizeof number, "%4zu:", i + 1);
-      text.append(number).append(lines[i]).append(" ;\n");
-    }
-    return {{head.name + ".ls", text + "/POS\n" + positions_ + "/END\n"}};
+    std::string text = attributes(head, lines.size() + lines_.size()) + "/MN\n";
+    std::size_t number = 0;
+    for (const std::vector<std::string>* each : {&std::as_const(lines), &lines_})
+      for (const std::string& line : *each) appendLine(text, ++number, line);
+    text.append("/POS\n").append(positions_).append("/END\n");
+    return {{head.name + ".ls", std::move(text)}};
   }
 
  private:
@@ -131,35 +149,27 @@ class FanucPrinter : public RobotPrinter {
 
   void add(const JointMove& move) {
     const std::string point = openPoint("");
-    for (std::size_t j = 0; j < 6; ++j)
-      positions_ += (j % 3 == 0 ? (j > 0 ? ",\n\tJ" : "\tJ") : ",\tJ") + std::to_string(j + 1) + "=" +
-                    fanucNumber(move.joints.arm_deg[j], "deg") + " deg";
+    for (std::size_t j = 0; j < 6; ++j) {
+      positions_ += j == 0 ? "\tJ" : j == 3 ? ",\n\tJ" : ",\tJ";
+      appendValue(positions_, std::to_string(j + 1) + "=", move.joints.arm_deg[j], "deg");
+    }
     closePoint(move.joints.external);
     lines_.push_back("J " + point + " " + trimmedDecimals(std::round(site_.settings.joint_speed_percent), 0) +
                      "% FINE   ");
   }
 
-  /// Without COORD points are taken over a frame that stands still, wherever the table has turned the bed.
-  void requireHeldTable(const std::vector<double>& external) const {
-    if (site_.settings.fanuc.is_coordinated || !site_.cell || !site_.cell->is_bed_carried) return;
-    for (std::size_t k = 0; k < external.size(); ++k)
-      if (site_.external[k] == JointKind::Rotary && std::abs(external[k]) > kHeldTable)
-        throw InvalidInput("fanuc.coordinated is false, and axis external_" + std::to_string(k + 1) +
-                           " turns the bed to " + numberText(external[k]) +
-                           " deg; expected true, or 0 deg (joints.external 'held')");
-  }
-
   void add(const TipMove& move) {
-    requireHeldTable(move.external);
+    if (!site_.settings.fanuc.is_coordinated) requireHeldTable(move.external, site_, "fanuc.coordinated");
     const std::string speed = speedOf(move);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
     last_x_deg_ = angles.x_deg;
-    positions_ +=
-        "\tX =" + fanucNumber(move.point.x(), "mm") + "  mm,\tY =" + fanucNumber(move.point.y(), "mm") +
-        "  mm,\tZ =" + fanucNumber(move.point.z(), "mm") + "  mm,\n\tW =" + fanucNumber(angles.x_deg, "deg") +
-        " deg,\tP =" + fanucNumber(angles.y_deg, "deg") + " deg,\tR =" + fanucNumber(angles.z_deg, "deg") +
-        " deg";
+    appendValue(positions_, "\tX =", move.point.x(), "mm");
+    appendValue(positions_, ",\tY =", move.point.y(), "mm");
+    appendValue(positions_, ",\tZ =", move.point.z(), "mm");
+    appendValue(positions_, ",\n\tW =", angles.x_deg, "deg");
+    appendValue(positions_, ",\tP =", angles.y_deg, "deg");
+    appendValue(positions_, ",\tR =", angles.z_deg, "deg");
     closePoint(move.external);
     lines_.push_back("L " + point + " " + speed + " " +
                      (move.rests ? "FINE" : "CNT" + std::to_string(site_.settings.fanuc.cnt)) +
@@ -193,8 +203,8 @@ class FanucPrinter : public RobotPrinter {
   /// @return how it is named in a line
   std::string openPoint(const std::string& configuration) {
     std::string name = "P[" + std::to_string(++points_) + "]";
-    positions_ += name + "{\n   GP1:\n" + frames(site_.settings.frame_number, site_.settings.tool_number) +
-                  "\t" + configuration + "\n";
+    positions_.append(name).append("{\n   GP1:\n").append(frames_).append("\t").append(configuration);
+    positions_ += '\n';
     return name;
   }
 
@@ -204,10 +214,9 @@ class FanucPrinter : public RobotPrinter {
     int turn = 0;
     for (std::size_t k = 0; k < external.size(); ++k) {
       if (site_.external[k] == JointKind::Linear)
-        positions_ += ",\n\tE" + std::to_string(++rail) + "=" + fanucNumber(external[k], "mm") + "  mm";
+        appendValue(positions_, ",\n\tE" + std::to_string(++rail) + "=", external[k], "mm");
       else
-        turns += (turn > 0 ? ",\tJ" : "\tJ") + std::to_string(turn + 1) + "=" +
-                 fanucNumber(external[k], "deg") + " deg",
+        appendValue(turns, (turn > 0 ? ",\tJ" : "\tJ") + std::to_string(turn + 1) + "=", external[k], "deg"),
             ++turn;
     }
     const FanucSettings& fanuc = site_.settings.fanuc;
@@ -266,6 +275,7 @@ class FanucPrinter : public RobotPrinter {
   const RobotSite& site_;
   std::vector<std::string> lines_;
   bool is_behind_move_ = false;
+  std::string frames_;  ///< of points
   std::string positions_;
   std::size_t points_ = 0;
   int rails_ = 0;

@@ -3,14 +3,17 @@
 #include "program/robot/inform/inform_parser.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "lamina/base/characters.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/program/robot/robot_angles.hpp"
 #include "program/robot/notes/path_notes.hpp"
+#include "program/robot/notes/robot_notes.hpp"
 #include "program/robot/reader/line_sequence.hpp"
 
 namespace lamina {
@@ -18,6 +21,7 @@ namespace {
 
 constexpr int kMostInformPoints = 99999;
 constexpr int kMostInformFrames = 99;
+constexpr std::size_t kMostExternal = 6;
 constexpr double kGreatestInformNumber = 4e9;  // pulses
 constexpr double kGreatestInformSpeed = 1e6;   // in any unit
 
@@ -27,12 +31,14 @@ enum class InformPointKind : std::uint8_t { None, Pulses, Angles, Pose };
 struct InformPoint {
   InformPointKind kind = InformPointKind::None;
   std::array<double, 6> numbers{};
+  std::size_t count = 6;  ///< of the numbers: as many as axes, where they are external
   bool is_used = false;
 };
 
 /// Of moves: V is in mm/s, or in cm/min as the note `speeds` says.
 struct InformUnits {
   std::array<double, 6> pulses_per_deg = {0, 0, 0, 0, 0, 0};  ///< 0: not stated
+  std::vector<double> external;                               ///< pulses in a mm or a degree
   double mm_s = 1.0;
 };
 
@@ -59,17 +65,27 @@ class InformParser {
     }
     for (const ReadStatement& statement : comments.take()) {
       NoteWords words(std::get<NoteLine>(statement.what).text, statement.line, file_.name);
-      if (words.take("pulses")) {
-        for (double& pulses : units_.pulses_per_deg) {
-          pulses = words.number<double>("pulses in a degree");
-          if (!(pulses >= -kGreatestInformNumber && pulses <= kGreatestInformNumber) || pulses == 0.0)
-            words.refuse(numberText(pulses), "pulses in a degree");
-        }
+      if (words.take(kPulsesNote)) {
+        for (double& pulses : units_.pulses_per_deg) pulses = pulsesIn(words, "pulses in a degree");
+      } else if (words.take(kExternalPulsesNote)) {
+        units_.external.clear();
+        while (units_.external.size() < kMostExternal && !isAtEnd(words))
+          units_.external.push_back(pulsesIn(words, "pulses in a mm or a degree"));
+        words.expectEnd();
       } else if (words.take("speeds") && !words.take("mm/s")) {
         if (!words.take("cm/min")) words.refuse(words.next(), "mm/s or cm/min");
         units_.mm_s = 10.0 / 60.0;
       }
     }
+  }
+
+  static bool isAtEnd(NoteWords words) { return words.next().empty(); }
+
+  static double pulsesIn(NoteWords& words, const char* expected) {
+    const double pulses = words.number<double>(expected);
+    if (!(std::abs(pulses) <= kGreatestInformNumber) || pulses == 0.0)
+      words.refuse(numberText(pulses), expected);
+    return pulses;
   }
 
   void readHead() {
@@ -92,16 +108,13 @@ class InformParser {
 
   void readPoints() {
     InformPointKind kind = InformPointKind::None;
-    int stated = -1;
+    std::optional<PointCounts> stated;
     while (!lines_.isAtEnd()) {
       LineCursor line = lines_.nextLine();
       if (line.isAtEnd()) continue;
       if (line.take("//INST")) {
         line.expectEnd();
-        if (stated >= 0 && static_cast<std::size_t>(stated) != points_.size())
-          line.refuse(std::to_string(points_.size()) + " points",
-                      std::to_string(stated) + ", as ///NPOS says");
-        return;
+        return requireCounts(line, stated);
       }
       if (line.take("///NPOS"))
         stated = pointCounts(line);
@@ -113,16 +126,35 @@ class InformParser {
     lines_.end().refuse("//INST");
   }
 
-  static int pointCounts(LineCursor& line) {
-    const int count = line.integer(0, kMostInformPoints + 1, "the number of points");
-    for (int i = 0; i < 5; ++i) {
+  /// Of C, BC and EC.
+  using PointCounts = std::array<int, 3>;
+
+  static PointCounts pointCounts(LineCursor& line) {
+    PointCounts counts{};
+    counts[0] = line.integer(0, kMostInformPoints + 1, "the number of points");
+    for (std::size_t i = 1; i < 6; ++i) {
       line.expect(",");
-      if (line.integer(0, kMostInformPoints, "a number of points") != 0)
-        line.refuse("no points of other kinds than C");
+      const int count = line.integer(0, kMostInformPoints + 1, "a number of points");
+      if (i < counts.size())
+        counts[i] = count;
+      else if (count != 0)
+        line.refuse("no points of other kinds than C, BC and EC");
     }
     line.expectEnd();
-    return count;
+    return counts;
   }
+
+  void requireCounts(const LineCursor& line, const std::optional<PointCounts>& stated) const {
+    if (!stated) return;
+    PointCounts found{};
+    for (const auto& [name, point] : points_) ++found[isBase(name) ? 1 : isStation(name) ? 2 : 0];
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] != (*stated)[i])
+        line.refuse(std::to_string(found[i]) + " points", std::to_string((*stated)[i]) + ", as ///NPOS says");
+  }
+
+  static bool isBase(std::string_view name) { return upper(name.front()) == 'B'; }
+  static bool isStation(std::string_view name) { return upper(name.front()) == 'E'; }
 
   static InformPointKind sectionOf(LineCursor& line, InformPointKind kind) {
     if (line.take("USER") || line.take("TOOL")) {
@@ -153,16 +185,29 @@ class InformParser {
     line.expect("=");
     InformPoint point;
     point.kind = kind;
-    for (std::size_t i = 0; i < 6; ++i) {
-      if (i > 0) line.expect(",");
-      const bool is_position = kind == InformPointKind::Pose && i < 3;
-      const double limit = kind == InformPointKind::Pulses ? kGreatestInformNumber
-                           : is_position                   ? kFarthestRead
-                                                           : kGreatestAngle;
-      point.numbers[i] = line.number(-limit, limit, "a number of a point");
+    if (isBase(name) || isStation(name)) {
+      readExternal(line, name, point);
+    } else {
+      for (std::size_t i = 0; i < 6; ++i) {
+        if (i > 0) line.expect(",");
+        const bool is_position = kind == InformPointKind::Pose && i < 3;
+        const double limit = kind == InformPointKind::Pulses ? kGreatestInformNumber
+                             : is_position                   ? kFarthestRead
+                                                             : kGreatestAngle;
+        point.numbers[i] = line.number(-limit, limit, "a number of a point");
+      }
     }
     line.expectEnd();
     if (!points_.emplace(name, point).second) line.refuse(name, "each point once");
+  }
+
+  static void readExternal(LineCursor& line, const std::string& name, InformPoint& point) {
+    if (point.kind != InformPointKind::Pulses) line.refuse(name, "///PULSE before a point of external axes");
+    point.count = 0;
+    do {
+      if (point.count == point.numbers.size()) line.refuse("six external axes at most");
+      point.numbers[point.count++] = line.number(-kGreatestInformNumber, kGreatestInformNumber, "pulses");
+    } while (line.take(","));
   }
 
   void readInstructions() {
@@ -199,7 +244,7 @@ class InformParser {
   void readInstruction(LineCursor& line) {
     if (line.take("MOVJ"))
       list_.add(jointMove(line), line.line());
-    else if (line.take("MOVL"))
+    else if (line.take("MOVL") || line.take("SMOVL"))
       list_.add(linearMove(line), line.line());
     else if (line.take("DOUT"))
       list_.add(output(line), line.line());
@@ -223,7 +268,8 @@ class InformParser {
       list_.add(call(line), line.line());
     else
       line.refuse(
-          "an instruction that is known: MOVJ, MOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, CALL, "
+          "an instruction that is known: MOVJ, MOVL, SMOVL, DOUT, AOUT, ARCON, ARCOF, WVON, WVOF, TIMER, "
+          "CALL, "
           "JUMP");
   }
 
@@ -251,10 +297,45 @@ class InformParser {
 
   const InformPoint& pointNamed(LineCursor& line) {
     const std::string name = line.word("the name of a point");
+    if (isBase(name) || isStation(name)) line.refuse(name, "a point of the arm, as C00001");
+    return usedPoint(line, name);
+  }
+
+  const InformPoint& usedPoint(const LineCursor& line, const std::string& name) {
     const auto found = points_.find(name);
     if (found == points_.end()) line.refuse(name, "a point below //POS");
     if (std::exchange(found->second.is_used, true)) line.refuse(name, "each point in one move");
     return found->second;
+  }
+
+  /// `BC00001` behind the arm's point, if it is there.
+  void readBase(LineCursor& line, std::vector<double>& external) {
+    LineCursor ahead = line;
+    const std::string name = ahead.word("the name of a point, V or VJ");
+    if (!isBase(name)) return;
+    line = ahead;
+    addExternal(line, name, external);
+  }
+
+  /// `+MOVJ EC00001 VJ=100.00` behind a move, if it is there.
+  void readStation(LineCursor& line, std::vector<double>& external) {
+    if (!line.take("+")) return;
+    line.expect("MOVJ");
+    const std::string name = line.word("the name of a point");
+    if (!isStation(name)) line.refuse(name, "a point of a station, as EC00001");
+    addExternal(line, name, external);
+    if (!line.take("VJ")) return;
+    line.expect("=");
+    line.number(0.01, 100.0, "a speed in percent");
+  }
+
+  void addExternal(const LineCursor& line, const std::string& name, std::vector<double>& external) {
+    const InformPoint& point = usedPoint(line, name);
+    for (std::size_t i = 0; i < point.count; ++i) {
+      if (external.size() == units_.external.size())
+        line.refuse(name, "a note 'external_pulses' with the pulses of each external axis");
+      external.push_back(point.numbers[i] / units_.external[external.size()]);
+    }
   }
 
   JointMove jointMove(LineCursor& line) {
@@ -269,9 +350,11 @@ class InformParser {
         move.joints.arm_deg[j] =
             point.kind == InformPointKind::Pulses ? point.numbers[j] / pulses : point.numbers[j];
     }
+    readBase(line, move.joints.external);
     line.expect("VJ");
     line.expect("=");
     line.number(0.01, 100.0, "a speed in percent");
+    readStation(line, move.joints.external);
     return move;
   }
 
@@ -286,6 +369,7 @@ class InformParser {
     const InformPoint& point = pointNamed(line);
     if (point.kind != InformPointKind::Pose) line.refuse("a point that states a pose");
     TipMove move = poseOf(point);
+    readBase(line, move.external);
     line.expect("V");
     line.expect("=");
     move.feed_mm_s = units_.mm_s * line.number(0.1, kGreatestInformSpeed, "a speed, 0.1 at least");
@@ -294,6 +378,7 @@ class InformParser {
       line.expect("=");
       move.rests = line.integer(0, 8, "PL=0 to PL=8") == 0;
     }
+    readStation(line, move.external);
     return move;
   }
 

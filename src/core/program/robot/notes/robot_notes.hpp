@@ -39,6 +39,14 @@ constexpr std::string_view kDryVariable = "lamina_dry";
 /// Variable by which programs that run dry at a speed of their own multiply their speeds.
 constexpr std::string_view kDrySpeedVariable = "lamina_speed";
 
+/// Beginning of the note of an external axis, in the controller's order: joint, sense and zero [mm, deg].
+constexpr std::string_view kExternalNote = "external";
+
+/// Beginnings of the notes on pulses of jobs in INFORM: in a degree of each joint, and in a mm or a degree of
+/// each external axis.
+constexpr std::string_view kPulsesNote = "pulses";
+constexpr std::string_view kExternalPulsesNote = "external_pulses";
+
 /// Beginnings of the notes before statements by which a program in KRL starts and ends its arc.
 constexpr std::string_view kArcOnNote = "arc_on";
 constexpr std::string_view kArcOffNote = "arc_off";

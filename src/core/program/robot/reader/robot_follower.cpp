@@ -12,7 +12,6 @@
 #include "lamina/kinematics/arm/arm_cell.hpp"
 #include "lamina/kinematics/arm/configured_joints.hpp"
 #include "program/cell_frame.hpp"
-#include "program/external_axes.hpp"
 #include "program/led_joints.hpp"
 #include "program/robot/reader/robot_run.hpp"
 
@@ -76,6 +75,8 @@ class RobotFollower {
  public:
   RobotFollower(const RobotRunning& running, const KinematicModel& arm, StatedMotion& motion)
       : running_(running), arm_(arm), motion_(motion) {
+    const std::string mismatch = externalMismatch(running.head.map, arm);
+    if (!mismatch.empty()) throw InvalidProgram("the program's notes of external axes " + mismatch);
     last_ = JointValues::Zero(static_cast<Eigen::Index>(arm.joints().size()));
   }
 
@@ -120,7 +121,7 @@ class RobotFollower {
 
   std::optional<JointValues> jointsAt(const Eigen::Isometry3d& pose, const std::vector<double>& external,
                                       std::size_t line) {
-    const auto near = withExternalAxes(arm_, last_, external);
+    const auto near = withControllerAxes(running_.head.map, arm_, last_, external);
     if (!near)
       throw InvalidProgram("line " + std::to_string(line) + ": a move has " +
                            std::to_string(external.size()) +

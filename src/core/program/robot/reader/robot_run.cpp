@@ -57,6 +57,16 @@ ControllerMap notedMap(NoteWords& words) {
   return map;
 }
 
+ExternalEntry notedExternal(NoteWords& words, std::size_t slot) {
+  ExternalEntry entry;
+  entry.joint = std::string(words.next());
+  entry.slot = slot;
+  entry.sign = boundedNumber(words, 1.0, "1 or -1 for an external axis");
+  if (std::abs(entry.sign) != 1.0) words.refuse(numberText(entry.sign), "1 or -1 for an external axis");
+  entry.zero = boundedNumber(words, 1e5, "the zero of an external axis in mm or deg");
+  return entry;
+}
+
 ControllerJoints notedJoints(NoteWords& words) {
   ControllerJoints joints;
   for (double& each : joints.arm_deg)
@@ -131,7 +141,7 @@ class RobotRun {
   void add(const NoteLine& note) {
     NoteWords words(note.text, line_, *file_);
     // Of whoever parsed the file.
-    if (words.take("speeds") || words.take("pulses")) return;
+    if (words.take("speeds") || words.take(kPulsesNote) || words.take(kExternalPulsesNote)) return;
     if (words.take(kArcOnNote) || words.take(kArcOffNote)) {
       has_arc_texts_ = true;
       running_.equipment.process.insert(note.text);
@@ -152,6 +162,15 @@ class RobotRun {
       return;
     }
     words.expectEnd();
+  }
+
+  /// The first file of a program states each of them, once.
+  void addExternal(NoteWords& words) {
+    std::vector<ExternalEntry>& external = running_.head.map.external;
+    ExternalEntry entry = notedExternal(words, external.size());
+    for (const ExternalEntry& each : external)
+      if (each.joint == entry.joint) words.refuse(entry.joint, "a note of each external joint once");
+    external.push_back(std::move(entry));
   }
 
   /// Whether it is a note on the whole program.
@@ -175,7 +194,13 @@ class RobotRun {
       running_.equipment.process.insert("dry run at " + shortestText(percent) + " % of the speed");
       return true;
     }
-    if (words.take("joints")) return head.map = notedMap(words), true;
+    if (words.take("joints")) {
+      std::vector<ExternalEntry> external = std::move(head.map.external);
+      head.map = notedMap(words);
+      head.map.external = std::move(external);
+      return true;
+    }
+    if (words.take(kExternalNote)) return addExternal(words), true;
     if (words.take("layers")) return head.bed_from_layers = notedTurn(words), true;
     if (words.take("level")) {
       const RobotLevel level = notedLevel(words);
@@ -200,6 +225,7 @@ class RobotRun {
     RunWay way;
     way.before = running_.moves.size();
     way.joints = move.pose ? *noted : move.joints;
+    way.joints->external = move.joints.external;
     way.line = line_;
     running_.ways.push_back(std::move(way));
   }

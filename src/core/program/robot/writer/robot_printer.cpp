@@ -17,6 +17,7 @@ namespace lamina {
 namespace {
 
 constexpr double kBeyondFormat = 99999.9995;  // what is rounded to 100000.000
+constexpr double kHeldTable = 5e-4;           // deg: what is written as 0.000
 
 }  // namespace
 
@@ -40,6 +41,7 @@ ControllerMap controllerMap(RobotLanguage language, const RobotProgramSettings& 
   std::copy(settings.joint_signs.begin(), settings.joint_signs.end(), map.signs.begin());
   std::copy(settings.joint_zeros_deg.begin(), settings.joint_zeros_deg.end(), map.zeros_deg.begin());
   if (language == RobotLanguage::Fanuc) map.joint_3_from_2 = settings.fanuc.joint_3_from_2;
+  map.external = robotExternals(settings.external_axes);
   return map;
 }
 
@@ -96,6 +98,18 @@ void requireOutputNumber(int output, RobotLanguage language) {
   if (output < 1)
     throw InvalidInput("found output " + std::to_string(output) + "; expected 1 at least, from which " +
                        toString(language) + " counts (robot_program.process_output, robot_program.levels)");
+}
+
+void requireHeldTable(const std::vector<double>& external, const RobotSite& site, const std::string& key) {
+  if (!site.cell || !site.cell->is_bed_carried) return;
+  const std::vector<ExternalEntry>& entries = site.map.external;
+  for (std::size_t k = 0; k < external.size(); ++k) {
+    const double zero = entries.empty() ? 0.0 : entries[k].zero;
+    if (site.external[k] != JointKind::Rotary || std::abs(external[k] - zero) <= kHeldTable) continue;
+    const std::string joint = entries.empty() ? "external_" + std::to_string(k + 1) : entries[k].joint;
+    throw InvalidInput(key + " is false, and axis " + joint + " turns the bed to " + numberText(external[k]) +
+                       " deg; expected true, or " + numberText(zero) + " deg (joints.external 'held')");
+  }
 }
 
 std::vector<double> waitParts(double duration_s, double longest_s) {

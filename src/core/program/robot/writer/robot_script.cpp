@@ -17,7 +17,6 @@
 #include "lamina/toolpath/process_support.hpp"
 #include "program/backed_off.hpp"
 #include "program/cell_frame.hpp"
-#include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 #include "toolpath/path_motions.hpp"
 
@@ -88,7 +87,7 @@ RobotScript::RobotScript(const RobotJob& job, const RobotProgramSettings& settin
 }
 
 std::vector<JointKind> RobotScript::externalKinds() const {
-  return job_.robot == nullptr ? std::vector<JointKind>() : externalAxisKinds(job_.robot->arm);
+  return job_.robot == nullptr ? std::vector<JointKind>() : controllerAxisKinds(map_, job_.robot->arm);
 }
 
 std::vector<std::string> RobotScript::headNotes() const {
@@ -116,6 +115,10 @@ std::vector<std::string> RobotScript::headNotes() const {
     for (const double zero : map_.zeros_deg) text += " " + number(zero);
     notes.push_back(text + " " + number(map_.joint_3_from_2));
   }
+  for (const ExternalEntry& entry : map_.external)
+    if (cell_)
+      notes.push_back(std::string(kExternalNote) + " " + entry.joint + " " + number(entry.sign) + " " +
+                      number(entry.zero));
   const Eigen::Quaterniond layers = turn_ * job_.toolpath.part_from_layers;
   if (layers.angularDistance(Eigen::Quaterniond::Identity()) > 0.0)
     notes.push_back("layers " + number(layers.w()) + " " + number(layers.x()) + " " + number(layers.y()) +
@@ -148,7 +151,7 @@ TipMove RobotScript::passage(const Eigen::Isometry3d& pose, const JointValues& j
   TipMove move;
   move.point = pose.translation();
   move.orientation = Eigen::Quaterniond(pose.linear()).normalized();
-  move.external = externalAxes(job_.robot->arm, joints);
+  move.external = controllerAxes(map_, job_.robot->arm, joints);
   move.posture = postureOf(&joints);
   move.feed_mm_s = feedOfApproach();
   move.rests = true;
@@ -227,7 +230,7 @@ TipMove RobotScript::moveTo(std::size_t index, std::size_t move) const {
   result.feed_mm_s = is_turn ? feedOfApproach() : path.path->feed_mm_s.at(waypoint);
   result.moves_left = path.moveCount() - move;
   if (const JointValues* joints = jointsAt(index, move)) {
-    result.external = externalAxes(job_.robot->arm, *joints);
+    result.external = controllerAxes(map_, job_.robot->arm, *joints);
     result.posture = postureOf(joints);
   }
   if (!result.rests) {

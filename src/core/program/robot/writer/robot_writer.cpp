@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "program/external_axes.hpp"
 #include "program/robot/notes/robot_notes.hpp"
 #include "program/robot/writer/controller_settings.hpp"
 #include "program/robot/writer/robot_printer.hpp"
@@ -225,12 +224,30 @@ void requireMemory(const std::vector<RobotFile>& files, const RobotDialect& dial
                         "), or fewer points");
 }
 
+/// Rails are of the arm's group, rotary axes of one behind it.
+void requireRailsFirst(const std::vector<JointKind>& kinds, RobotLanguage language) {
+  for (std::size_t k = 1; k < kinds.size(); ++k)
+    if (kinds[k] == JointKind::Linear && kinds[k - 1] == JointKind::Rotary)
+      throw InvalidConfig("external axis " + std::to_string(k + 1) +
+                          " of the controller is a rail, and axis " + std::to_string(k) +
+                          " turns; expected rails first in " + toString(language) +
+                          " (robot_program.external_axes)");
+}
+
+void requireExternals(const ControllerMap& map, RobotLanguage language, const KinematicModel& arm) {
+  const std::string mismatch = externalMismatch(map, arm);
+  if (!mismatch.empty()) throw InvalidConfig("robot_program.external_axes: its axes " + mismatch);
+  if (language == RobotLanguage::Fanuc || language == RobotLanguage::Inform)
+    requireRailsFirst(controllerAxisKinds(map, arm), language);
+}
+
 }  // namespace
 
 void requireWritable(const RobotProgramRequest& request, const KinematicModel& arm) {
   const RobotProgramSettings settings = withArmController(request.settings, request.language, arm);
-  const RobotSite site{settings, std::nullopt, controllerMap(request.language, settings),
-                       externalAxisKinds(arm)};
+  const ControllerMap map = controllerMap(request.language, settings);
+  requireExternals(map, request.language, arm);
+  const RobotSite site{settings, std::nullopt, map, controllerAxisKinds(map, arm)};
   const RobotDialect dialect = robotDialect(request.language, settings);
   dialect.name(settings.name.empty() ? request.name : settings.name, settings);
   dialect.open(site);
@@ -243,6 +260,11 @@ std::vector<RobotFile> robotProgram(const Toolpath& toolpath, const Eigen::Isome
   const RobotDialect dialect = robotDialect(request.language, settings);
   const std::string name = dialect.name(settings.name.empty() ? request.name : settings.name, settings);
   RobotSite site{settings, std::nullopt, controllerMap(request.language, settings), {}};
+  if (robot != nullptr)
+    requireExternals(site.map, request.language, robot->arm);
+  else if (!site.map.external.empty())
+    throw InvalidConfig("robot_program.external_axes is '" + settings.external_axes +
+                        "' without an arm that has joints for them; expected none");
   const RobotScript script({toolpath, bed_from_part, robot}, settings, site.map);
   site.settings = script.settings();
   site.cell = script.cell();
