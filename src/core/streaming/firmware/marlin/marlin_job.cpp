@@ -115,7 +115,7 @@ void MarlinJob::beginNumbering(std::uint64_t base, double now) {
 /// The firmware refuses a wrong number as soon as it reads it, but says the ok to what it has queued before
 /// only when that is done.
 void MarlinJob::confirm(double now) {
-  resend_.waitFor(answers_due_, now);
+  resend_.waitForOks(answers_due_, now);
   if (!resend_.isWaiting()) return nextReport(now);
   if (phase_ != Phase::Confirming) beginPhase(Phase::Confirming, now);
 }
