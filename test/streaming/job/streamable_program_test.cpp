@@ -95,6 +95,12 @@ TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }
 
+TEST(StreamableProgram, IsNoBinaryFile) {
+  EXPECT_THROW(program(std::string("GCDE\x01\x00\x00\x00", 8)), FileError);
+  EXPECT_THROW(program("PK\x03\x04"), FileError);
+  EXPECT_THROW(program(std::string("\xFF\xFEG\x00", 4)), FileError);
+}
+
 /// Marlin runs "G1 x5 Y2" as a motion of Y alone, "g28" not at all, and of "G21 G90" the first, and says ok.
 TEST(StreamableProgram, RefusesWordsThatMarlinPassesOver) {
   for (const char* text : {"g28\n", "m104 S200\n", "t1\n"})
