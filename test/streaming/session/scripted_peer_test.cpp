@@ -112,7 +112,20 @@ TEST_F(ScriptedPeer, StopsSafelyWhenTheMachineFallsSilent) {
   EXPECT_NE(streamer.takeOutput().find("M108\nM410\nM104 S0\nM140 S0\n"), std::string::npos);
   for (double now = 60.5; now < 71.0; now += 0.5) streamer.elapse(now);
   EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
-  EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop"), std::string::npos);
+  EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop: it may still move and be "
+                                                   "hot, look after it"),
+            std::string::npos);
+}
+
+TEST_F(ScriptedPeer, SaysWhatToDoWithAMachineThatHasHalted) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("Error:Heating failed, system stopped! Heater_ID: bed\n", 1.0);
+  for (double now = 1.5; now < 12.0; now += 0.5) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().failure.message,
+            "the machine halted: \"Error:Heating failed, system stopped! Heater_ID: bed\"; line 0 of 10 was "
+            "the last "
+            "acknowledged; a halted machine does not confirm the safe stop: see that it cools, and reset it");
 }
 
 /// A board that greets while its port is opened gets the question twice. Marlin sets its counter by `M110`
