@@ -82,7 +82,7 @@ std::int64_t JobIntake::enqueue(const lamina_msgs::EnqueueJob::Request& request)
   std::int32_t layers = 0;
   try {
     NodeProgress progress;
-    layers = checkedLayers(artefacts_.pathOf(files.front().artefact), settings_, progress);
+    layers = checkedLayers(artefacts_.pathOf(files.front().artefact), name, settings_, progress);
   } catch (...) {
     removeNew();
     throw;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job_rules.hpp"
 
+#include "lamina/base/error.hpp"
+#include "lamina/base/layer_error.hpp"
 #include "lamina/job/drivable_toolpath.hpp"
 #include "lamina/job/program_check.hpp"
 #include "lamina/streaming/job/streamable_program.hpp"
@@ -45,13 +47,25 @@ std::int32_t checkedToolpath(const std::string& path, const CellControllerSettin
   return layers;
 }
 
-}  // namespace
-
-std::int32_t checkedLayers(const std::string& path, const CellControllerSettings& settings,
-                           Progress& progress) {
+std::int32_t checkedFile(const std::string& path, const CellControllerSettings& settings,
+                         Progress& progress) {
   if (settings.executor == ExecutorKind::Driver) return checkedToolpath(path, settings, progress);
   requirePrintable(path, settings.machine);
   return layersOf(StreamableProgram::fromFile(path));
+}
+
+}  // namespace
+
+std::int32_t checkedLayers(const std::string& path, const std::string& name,
+                           const CellControllerSettings& settings, Progress& progress) {
+  try {
+    return checkedFile(path, settings, progress);
+  } catch (const Error&) {
+    Failure failure = currentFailure();
+    for (std::size_t at = 0; (at = failure.message.find(path, at)) != std::string::npos; at += name.size())
+      failure.message.replace(at, path.size(), name);
+    throwFailure(failure);
+  }
 }
 
 std::string jobSheet(const CellControllerSettings& settings) {

@@ -36,7 +36,7 @@ std::string takenBy(const CellControllerSettings& settings, const std::string& t
   writeFile(path, text);
   NoProgress nobody;
   try {
-    return std::to_string(checkedLayers(path, settings, nobody));
+    return std::to_string(checkedLayers(path, "bracket.gcode", settings, nobody));
   } catch (const Error& error) {
     return error.what();
   }
@@ -53,6 +53,14 @@ TEST(JobRules, TakeWhatTheExecutorRuns) {
   EXPECT_TRUE(isIn(refused, "line 1 is ';LAYER:0'; expected the header of a toolpath")) << refused;
   const std::string no_program = takenBy(cellWith(ExecutorKind::Stream, "cartesian_gantry"), toolpath);
   EXPECT_TRUE(isIn(no_program, "line 2: a letter is expected")) << no_program;
+}
+
+TEST(JobRules, NameTheFileAsItWasSent) {
+  const CellControllerSettings printer = cellWith(ExecutorKind::Stream, "cartesian_gantry");
+  EXPECT_EQ(takenBy(printer, "G28\n"),
+            "bracket.gcode: extrudes nothing; expected a program that prints a part");
+  const std::string binary = takenBy(printer, std::string("GCDE\x01\x00\x00\x00", 8));
+  EXPECT_TRUE(isIn(binary, "cannot read 'bracket.gcode': it is binary G-code")) << binary;
 }
 
 TEST(JobRules, RefuseWhatTheDriverWouldRefuseAtTheStart) {

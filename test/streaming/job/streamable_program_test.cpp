@@ -95,6 +95,29 @@ TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }
 
+TEST(StreamableProgram, IsNoBinaryFile) {
+  EXPECT_THROW(program(std::string("GCDE\x01\x00\x00\x00", 8)), FileError);
+  EXPECT_THROW(program("PK\x03\x04"), FileError);
+  EXPECT_THROW(program(std::string("\xFF\xFEG\x00", 4)), FileError);
+}
+
+/// Marlin runs "G1 x5 Y2" as a motion of Y alone, "g28" not at all, and of "G21 G90" the first, and says ok.
+TEST(StreamableProgram, RefusesWordsThatMarlinPassesOver) {
+  for (const char* text : {"g28\n", "m104 S200\n", "t1\n"})
+    EXPECT_NE(refusalOf(text).find("begins with a small letter"), std::string::npos) << text;
+  for (const char* text : {"G1 x5 Y2\n", "G1 X5y2\n", "G28 x\n", "G92 e0\n", "M104 s200\n", "G1 X1e-3\n"})
+    EXPECT_NE(refusalOf(text).find("has a word with the small letter"), std::string::npos) << text;
+  for (const char* text : {"G21 G90\n", "G0 G90 X10\n", "G90G1X5\n", "G1 X5 M3\n"})
+    EXPECT_NE(refusalOf(text).find("has a second command"), std::string::npos) << text;
+}
+
+TEST(StreamableProgram, TakesSmallLettersOfTextsAndTheCommandBehindG53) {
+  const StreamableProgram taken = program(
+      "M117 g1 x5\nM0 look at it\nM23 part.g\nM486 Apart x1\nM862.3 P \"MK3S m1\"\nG53 G1 X5\nM42 P4 S1 M1\n"
+      "G28 X Y\nG1X-5.5Y.5E1F600\nG29 P1\nM104 T1 S200\n");
+  EXPECT_EQ(taken.lines(), 11U);
+}
+
 TEST(StreamableProgram, TakesTheToolThatAMultiMaterialUnitAsksFor) {
   EXPECT_EQ(program("Tx\nTc\nT?\nT2\n").lines(), 4U);
   EXPECT_NE(refusalOf("TOOL=2\n").find("is a macro's name"), std::string::npos);

@@ -70,6 +70,17 @@ TEST(JobJournal, MakesAFolderForItsOwnerAlone) {
   EXPECT_THROW(beginJournal("/proc/nowhere/port.progress"), FileError);
 }
 
+TEST(JobJournal, SaysThatAPortHasHadNoJob) {
+  const test::ScratchFolder folder;
+  try {
+    readJournal(folder.file("none.progress"));
+    ADD_FAILURE() << "there is none";
+  } catch (const FileError& error) {
+    EXPECT_EQ(std::string(error.what()).find("no job is known of this port: there is no progress file '"), 0U)
+        << error.what();
+  }
+}
+
 TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");

@@ -252,7 +252,13 @@ TEST(StreamSession, AbortsWhenTheMachineIsReset) {
 TEST(StreamSession, LeavesAPortToTheProcessThatHasIt) {
   RecordedMachine machine(1.0);
   const StreamSession first(spiral(200), impatient(), {linkPath(), 115200}, {});
-  EXPECT_THROW(StreamSession(spiral(5), impatient(), {linkPath(), 115200}, {}), Disconnected);
+  try {
+    const StreamSession second(spiral(5), impatient(), {linkPath(), 115200}, {});
+    ADD_FAILURE() << "it was opened by both";
+  } catch (const Disconnected& error) {
+    EXPECT_NE(std::string(error.what()).find("; another program has it open"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(StreamSettings, TakeTheLinkFromThePort) {

@@ -8,6 +8,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
+#include "program/gcode/foreign_format.hpp"
 #include "program/gcode/gcode_interpreter.hpp"
 
 namespace lamina {
@@ -55,7 +56,9 @@ void readGcodeFile(const std::string& path, const GcodeReaderSettings& settings,
   GcodeReader reader(settings, handlers);
   std::vector<char> buffer(1U << 18);
   const auto next = [&] { return std::string_view(buffer.data(), file.read(buffer.data(), buffer.size())); };
-  for (std::string_view piece = utf8Text(next(), path); !piece.empty(); piece = next()) reader.read(piece);
+  const std::string_view first = next();
+  requireTextOfGcode(first, path);
+  for (std::string_view piece = withoutUtf8Mark(first); !piece.empty(); piece = next()) reader.read(piece);
   reader.finish();
 }
 

@@ -16,6 +16,7 @@
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/job/firmware_protocol.hpp"
+#include "program/gcode/foreign_format.hpp"
 #include "program/gcode/plain_command.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
@@ -122,6 +123,12 @@ class DefinedParts {
   bool has_begun_ = false;  ///< a part: what is defined from here on is none of the plate's
 };
 
+void requireText(std::istream& text, const std::string& name) {
+  std::array<char, 4> start{};
+  text.read(start.data(), start.size());
+  requireTextOfGcode({start.data(), static_cast<std::size_t>(text.gcount())}, name);
+}
+
 [[noreturn]] void throwUnreadable(const std::string& path, const char* why) {
   throw FileError("cannot read program " + path + ": " + why);
 }
@@ -200,6 +207,7 @@ std::optional<StreamableProgram::FileState> StreamableProgram::stateOf(const std
 bool StreamableProgram::hasChanged() const { return !text_ && !(stateOf(path_) == checked_); }
 
 void StreamableProgram::check(const StreamSettings& settings) {
+  requireText(*openText(), name_);
   std::vector<Checker> checkers = checkersOf(settings.firmware);
   std::string last_defect;
   DefinedParts parts;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
@@ -170,6 +171,10 @@ void keepUnfinished(const std::string& path) {
 
 JournalledProgress readJournal(const std::string& path) {
   if (path.empty()) throw FileError("no progress file is kept: stream.journal is empty");
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) && !unknown)
+    throw FileError("no job is known of this port: there is no progress file '" + path +
+                    "'; expected that of the user and the port that the job was begun with");
   return decodeJournal(readFile(path), path);
 }
 

@@ -19,6 +19,14 @@
 namespace lamina {
 namespace {
 
+/// The reason, and what to do about it.
+Disconnected notOpened(const std::string& path, const std::string& reason, int error_number) {
+  const char* advice = "; is the machine connected?";
+  if (error_number == EBUSY) advice = "; another program has it open";
+  if (error_number == EACCES) advice = "; expected a user who may open it, as one of the group dialout";
+  return Disconnected("cannot open port " + path + ": " + reason + advice);
+}
+
 /// A machine that listens on TCP.
 class TcpTransport final : public Transport {
  public:
@@ -129,11 +137,9 @@ void SerialTransport::open(TransportEvents events) {
     configure(port, baud_);
     link_ = std::make_shared<ByteLink<serial_port>>(std::move(port));
   } catch (const std::system_error& error) {
-    throw Disconnected("cannot open port " + path_ + ": " + error.code().message() +
-                       "; is the machine connected?");
+    throw notOpened(path_, error.code().message(), error.code().value());
   } catch (const boost::system::system_error& error) {
-    throw Disconnected("cannot open port " + path_ + ": " + error.code().message() +
-                       "; is the machine connected?");
+    throw notOpened(path_, error.code().message(), error.code().value());
   }
   link_->start(std::move(events));
 }

@@ -32,6 +32,40 @@ std::string defectOfLength(std::string_view command, int max_line_bytes) {
          std::to_string(limit);
 }
 
+/// Whether all that follows the code is words of a letter and a number, none of it text.
+bool hasWordsOnly(std::string_view command) {
+  constexpr std::array<std::string_view, 14> kCommands = {"M3",   "M4",   "M92",  "M104", "M106",
+                                                          "M109", "M140", "M141", "M190", "M191",
+                                                          "M203", "M204", "M220", "M221"};
+  return command[0] == 'G' || isAnyCommand(command, kCommands);
+}
+
+/// Marlin passes over what it looks for in no line, in silence: `G1 x5 Y2` moves Y alone, and of `G21 G90` it
+/// runs the first.
+std::string defectOfWords(std::string_view command) {
+  const auto isNumberAt = [&](std::size_t at) {
+    return at < command.size() &&
+           (isDigit(command[at]) || command[at] == '-' || command[at] == '+' || command[at] == '.');
+  };
+  constexpr std::string_view kCodes = "gmt";
+  if (kCodes.find(command[0]) != std::string_view::npos && isNumberAt(1))
+    return "begins with a small letter, which Marlin does not know; expected capitals";
+  if (!hasWordsOnly(command)) return {};
+  const bool may_precede = isCommand(command, "G53");  // the command that it is for
+  for (std::size_t at = 1; at < command.size(); ++at) {
+    if (command[at] == '"') return {};
+    if (!isLetter(command[at]) || isLetter(command[at - 1])) continue;
+    const bool is_alone = at + 1 == command.size() || isBlank(command[at + 1]);
+    if (command[at] != upper(command[at]) && (is_alone || isNumberAt(at + 1)))
+      return "has a word with the small letter '" + std::string(1, command[at]) +
+             "', which Marlin passes over; expected capitals";
+    const bool is_code = command[at] == 'G' || (command[at] == 'M' && command[0] == 'G');
+    if (is_code && isNumberAt(at + 1) && !may_precede)
+      return "has a second command, which Marlin passes over; expected one on each line";
+  }
+  return {};
+}
+
 /// What `M118` makes the machine print: its text behind A1, E1 and P<port>, in any order.
 std::string printedBy(std::string_view command) {
   std::string_view text = trimmed(command.substr(4));
@@ -86,7 +120,7 @@ std::string MarlinFirmware::defectOf(std::string_view command, const StreamSetti
     return "has a '\\', which Marlin leaves out of a line before it looks at the checksum";
   if (isCommand(command, "M118") && isReadAsAnswer(printedBy(command)))
     return "makes the machine print what is read as its own answer; expected another text";
-  return {};
+  return defectOfWords(command);
 }
 
 std::unique_ptr<StreamJob> MarlinFirmware::begin(StreamOrder order) const {

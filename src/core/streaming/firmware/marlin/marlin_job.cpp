@@ -115,7 +115,7 @@ void MarlinJob::beginNumbering(std::uint64_t base, double now) {
 /// The firmware refuses a wrong number as soon as it reads it, but says the ok to what it has queued before
 /// only when that is done.
 void MarlinJob::confirm(double now) {
-  resend_.waitFor(answers_due_, now);
+  resend_.waitForOks(answers_due_, now);
   if (!resend_.isWaiting()) return nextReport(now);
   if (phase_ != Phase::Confirming) beginPhase(Phase::Confirming, now);
 }
@@ -248,7 +248,7 @@ void MarlinJob::elapse(double now) {
     return followEnquiry(now);
   }
   if (isStopping() && now >= safe_stop_by_) {
-    finishAborted(phase_ == Phase::Offline ? kLinkNotBack : "; the machine did not confirm the safe stop");
+    finishAborted(phase_ == Phase::Offline ? kLinkNotBack : unconfirmedStop(is_halted_));
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
   } else if (now >= timer_.retryAt()) {
@@ -427,7 +427,7 @@ void MarlinJob::onKind(const FirmwareReply& reply, double now) {
       fail(ErrorCode::DeviceError, "the machine was reset", now);
       break;
     case ReplyKind::Fatal:
-      fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
+      failHalted(reply, now);
       break;
     case ReplyKind::Warning:
       record_.status.message = reply.text;
@@ -463,7 +463,7 @@ void MarlinJob::onEnded(const FirmwareReply& reply, double now) {
   if (reply.text.find("cancel") != std::string::npos)
     fail(ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"", now);
   else
-    fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
+    failHalted(reply, now);
 }
 
 void MarlinJob::onOk(const FirmwareReply& reply, double now) {

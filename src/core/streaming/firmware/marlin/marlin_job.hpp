@@ -148,6 +148,10 @@ class MarlinJob final : public StreamJob {
   void fail(ErrorCode code, const std::string& what, double now) {
     abort({code, what + record_.whereItStands()}, now);
   }
+  void failHalted(const FirmwareReply& reply, double now) {
+    is_halted_ = true;
+    fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
+  }
   void prepareSafeStop(double now);
   /// Whether all motions have ended and the reports are being turned off.
   bool isAtRest() const {
@@ -175,6 +179,7 @@ class MarlinJob final : public StreamJob {
   int answers_due_ = 0;     ///< number of oks to commands without number that were sent before the first line
   bool has_answered_ = false;
   bool has_begun_ = false;  ///< whether a line of the program may have been sent
+  bool is_halted_ = false;  ///< whether it has said so: it hears nothing until it is reset
   bool is_paused_by_machine_ = false;
   PersonWait person_;
   UsedOutputs outputs_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/firmware/marlin/marlin_resend.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace lamina {
@@ -50,7 +51,7 @@ std::optional<std::uint64_t> MarlinResend::acknowledge(const std::optional<std::
 bool MarlinResend::hear(const FirmwareReply& reply, double now) {
   proof_.hear(reply);
   const bool is_answer = reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning;
-  if (isWaiting() && is_answer) wait_until_ = now + settings_.settle_s;
+  if (isWaiting() && is_answer) wait_until_ = std::max(wait_until_, now + settings_.settle_s);
   return std::exchange(expects_ok_of_request_, false) && reply.kind == ReplyKind::Ok;
 }
 

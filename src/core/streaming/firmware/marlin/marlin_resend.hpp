@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -50,6 +51,11 @@ class MarlinResend {
 
   /// Begins a wait for `answers` due answers, any of which may be lost; no wait if 0.
   void waitFor(int answers, double now) { wait_until_ = answers > 0 ? now + settings_.settle_s : 0.0; }
+  /// Begins a wait for the oks to commands without number: `M110` counts once more when it is run, and would
+  /// set back a counter that goes by lines already.
+  void waitForOks(int answers, double now) {
+    wait_until_ = answers > 0 ? now + std::max(settings_.settle_s, settings_.probe_after_s) : 0.0;
+  }
   void waitNoLonger() { wait_until_ = 0.0; }
   /// Whether nothing may be sent.
   bool isWaiting() const { return wait_until_ > 0.0; }

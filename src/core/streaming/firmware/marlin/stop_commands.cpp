@@ -69,4 +69,10 @@ std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const Stream
   return requests;
 }
 
+const char* unconfirmedStop(bool is_halted) {
+  return is_halted
+             ? "; a halted machine does not confirm the safe stop: see that it cools, and reset it"
+             : "; the machine did not confirm the safe stop: it may still move and be hot, look after it";
+}
+
 }  // namespace lamina

@@ -36,4 +36,9 @@ std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamS
 /// Commands that switch off the reports of the settings: the machine sends none after the job.
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings);
 
+/// Remark at the end of a failure's message, where the machine has not confirmed the safe stop in time: what
+/// is to be done.
+/// @param is_halted  whether it has said that it halted: it hears nothing until it is reset
+const char* unconfirmedStop(bool is_halted);
+
 }  // namespace lamina
