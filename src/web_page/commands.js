@@ -39,8 +39,9 @@ async function next() {
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
   const refusal = state.unit.resume_refusal;
   if (!refusal) {
-    const { choice, confirmed } = await walkThrough(jobName());
-    if (choice) await give("Start", { ...seen, cut_off: choice, ...(choice === "resume" && { confirmed }) });
+    const { choice, confirmed, begin } = await walkThrough(jobName());
+    const looked = choice === "resume" && { confirmed, confirmed_begin_mm: begin };
+    if (choice) await give("Start", { ...seen, cut_off: choice, ...looked });
     return undefined;
   }
   const choice = await ask({

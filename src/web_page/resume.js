@@ -74,7 +74,7 @@ export function wireResume() {
   byId("resume-start").addEventListener("click", start);
 }
 
-/** @returns "resume", with the names of what was confirmed; "discard"; or "" for going back */
+/** @returns "resume", with the names of what was confirmed and where the job then begins; "discard"; or "" for going back */
 export function walkThrough(job) {
   const dialog = byId("resume");
   if (dialog.open) return Promise.resolve({ choice: "", confirmed: [] });
@@ -92,7 +92,8 @@ export function walkThrough(job) {
         if (opener && opener.isConnected) opener.focus();
         else focusOn(byId("commands"));
       }
-      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()] });
+      const place = shown.find((step) => step.name === "place" && isConfirmed(step));
+      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()], begin: place?.begin_mm ?? null });
     }, { once: true });
   });
 }

@@ -134,6 +134,12 @@ TEST(CorrectionMap, RefusesWhatNoLoopAsksFor) {
   EXPECT_THROW(validate(mapWith({50.0, 0.0, 0.0})), InvalidInput);
   EXPECT_THROW(validate(mapWith({0.0, 5.1, 0.0})), InvalidInput);
   EXPECT_THROW(validate(mapWith({0.0, 0.0, 101.0})), InvalidInput);
+  // By these a layer would be divided into more cells than fit into memory.
+  const auto spaced = [](double spacing_mm) {
+    return CorrectionMap{"part", 0, 1, {{0, spacing_mm, {{}, {}}}}};
+  };
+  EXPECT_NO_THROW(validate(spaced(1e-3)));
+  EXPECT_THROW(validate(spaced(1e-9)), InvalidInput);
 }
 
 }  // namespace

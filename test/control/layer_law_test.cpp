@@ -216,6 +216,10 @@ TEST(FeederLead, LeadsAMapByPlaces) {
   map.paths.push_back({9, 1.0, {{0.2, 0.0, 0.0}}});
   EXPECT_EQ(ledMap(map, layer, {1.5, 0.0}, LoopSettings()).paths.back().stations[0].amount, 0.2)
       << "of a path without cells";
+  map.paths.back().spacing_mm = 1e-4;
+  EXPECT_EQ(ledMap(map, layer, {1.5, 0.0}, LoopSettings()).paths[1].stations.size(),
+            led.paths[1].stations.size())
+      << "how short a path of one station is asks for no denser ones elsewhere";
 }
 
 TEST(PressedLaw, FillsWhatIsMissingWithinItsRange) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,13 +20,13 @@
 namespace lamina {
 namespace {
 
-/// Whatever is refused is refused as input.
+/// What is read of any bytes; nothing where they are refused as input. What else is thrown ends the fuzzer.
 template <class Read>
-void tryReading(Read read) {
+auto readOrRefused(Read read) -> std::optional<decltype(read())> {
   try {
-    read();
+    return read();
   } catch (const InvalidInput&) {
-  } catch (const InvalidConfig&) {
+    return std::nullopt;
   }
 }
 
@@ -49,21 +50,42 @@ std::string withItsDigest(std::string text) {
   return text;
 }
 
-void useMap(const std::string& text) {
-  const CorrectionMap map = readCorrectionMap(text, "fuzz");
+// What was read is used without a look at exceptions: a refusal from here on is a defect, and ends the
+// fuzzer.
+
+void useMap(const CorrectionMap& map) {
   require(digestOf(readCorrectionMap(correctionMapCsv(map), "fuzz")) == digestOf(map));
   for (const PathCorrection& path : map.paths) require(std::isfinite(correctionAt(path, 10.0).amount));
   const CorrectionMap led = ledMap(map, test::straightBeadLayer({0.0, 3.0}, 5.0), {0.5, 0.1}, LoopSettings());
   validate(led);
 }
 
+void usePartMap(const PartMap& map) {
+  const std::string csv = partMapCsv(map);
+  require(partMapCsv(readPartMap(csv, "fuzz")) == csv);
+}
+
+void useToolpath(const ProgrammedToolpath& planned) {
+  const std::string csv = programmedToolpathCsv(planned);
+  require(programmedToolpathCsv(readProgrammedToolpath(csv, "fuzz")) == csv);
+}
+
 /// What was kept is gone on with for a layer of as many cells.
-void useMemory(const std::string& text) {
-  const LoopMemory memory = memoryFromYaml(text, "fuzz");
+void useMemory(const LoopMemory& memory) {
   require(toYaml(memoryFromYaml(toYaml(memory), "fuzz")) == toYaml(memory));
   HeightLoop loop{LoopSettings()};
   const LayerCells cells = test::straightBeads({0.0}, 4.0, 1.0);
-  loop.resume(cells, memory.heights);
+  const StoredHeights& kept = memory.heights;
+  bool fits = true;
+  for (const std::size_t count : {kept.estimates.size(), kept.deficit.size(), kept.before_deficit.size(),
+                                  kept.before_clouds.error_mm.size(), kept.before_clouds.gain.size()})
+    fits = fits && count == cells.size();
+  const auto is_resumed = readOrRefused([&] {
+    loop.resume(cells, kept);
+    return true;
+  });
+  require(is_resumed.has_value() == fits);
+  if (!fits) return;
   loop.beginLayer(cells);
   const LoopSettings limits;
   const LayerCorrection correction = loop.correction(LoopState::Active);
@@ -79,12 +101,17 @@ void useMemory(const std::string& text) {
 }  // namespace lamina
 
 /// Any bytes are read as what the loop keeps in files (maps, learnt parts, toolpaths of maps, its memory), or
-/// refused; what is read is used. Memories lead to no amount beyond its limits; a led map may be refused.
+/// refused; what is read once is read again to the same, and used. Memories lead to no amount beyond its
+/// limits, and are refused for layers of other cells alone; a led map is valid as its map is.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(bytes), size);
-  lamina::tryReading([&] { lamina::useMap(lamina::withItsDigest(text)); });
-  lamina::tryReading([&] { lamina::partMapCsv(lamina::readPartMap(text, "fuzz")); });
-  lamina::tryReading([&] { lamina::readProgrammedToolpath(text, "fuzz"); });
-  lamina::tryReading([&] { lamina::useMemory(text); });
+  const auto map = [&] { return lamina::readCorrectionMap(lamina::withItsDigest(text), "fuzz"); };
+  if (const auto read = lamina::readOrRefused(map)) lamina::useMap(*read);
+  const auto learnt = [&] { return lamina::readPartMap(text, "fuzz"); };
+  if (const auto read = lamina::readOrRefused(learnt)) lamina::usePartMap(*read);
+  const auto planned = [&] { return lamina::readProgrammedToolpath(text, "fuzz"); };
+  if (const auto read = lamina::readOrRefused(planned)) lamina::useToolpath(*read);
+  const auto memory = [&] { return lamina::memoryFromYaml(text, "fuzz"); };
+  if (const auto read = lamina::readOrRefused(memory)) lamina::useMemory(*read);
   return 0;
 }

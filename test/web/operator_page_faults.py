@@ -48,6 +48,7 @@ class Cell:
         self.resume_steps = []
         self.upload_s = 0.0
         self.forms = []  # of the uploads
+        self.bodies = []  # of the commands
         self.refused = 0  # questions who is logged in that are answered by 503 first
         self.events, self.samples = [], []
         self.clock_s = 0.0  # what its clock is ahead by
@@ -135,7 +136,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if self.headers.get("X-CSRF-Token") != cell.csrf:
             self.answer(403, {"code": "no_csrf_token", "message": "the header X-CSRF-Token is missing or another one"})
         elif self.path == "/api/v1/commands":
-            command = json.loads(body)["command"]
+            cell.bodies.append(json.loads(body))
+            command = cell.bodies[-1]["command"]
             cell.commands.append(command)
             if command in cell.after:
                 cell.state, cell.sequence = cell.after[command], cell.sequence + 1
@@ -273,6 +275,55 @@ def check_resume_only_where_it_can_be_done(page, cell):
     require(cell.commands == [], f"going back has given {cell.commands}")
 
 
+def check_resume_from_the_place_that_was_confirmed(page, cell):
+    """The command says where the job begins that a person has looked at; a place that becomes another one is looked at anew."""
+    place = {"name": "place", "state": "person", "text": "it begins after 15.25 mm", "begin_mm": 15.25}
+    cell.state, cell.resume_refusal, cell.resume_steps = "Idle", "", [place]
+    page.open()
+    page.press("next")
+    page.wait(lambda: page.script("return document.getElementById('resume').open"), "the steps")
+    page.press("resume-place")
+    cell.resume_steps = [{**place, "text": "it begins after 21.5 mm", "begin_mm": 21.5}]
+    page.wait(lambda: not page.script("return document.getElementById('resume-place').checked"), "another place, not confirmed")
+    page.press("resume-place")
+    page.press("resume-start")
+    page.wait(lambda: cell.commands == ["Start"], "Start")
+    sent = {name: cell.bodies[0].get(name) for name in ("cut_off", "confirmed", "confirmed_begin_mm")}
+    require(sent == {"cut_off": "resume", "confirmed": ["place"], "confirmed_begin_mm": 21.5}, f"Start was sent with {sent}")
+
+
+def check_resume_in_a_low_window(page, cell):
+    """In a window of 600 px, the head of the steps and their answers are seen whatever has the focus; the steps go by between them."""
+    names = ("link", "place", "part", "ready", "way")
+    cell.state, cell.resume_refusal = "Idle", ""
+    cell.resume_steps = [{"name": name, "state": "person", "text": f"{name}: " + "what is known, and what is not. " * 9} for name in names]
+    page.open()
+    seen = """const box = (id) => document.getElementById(id).getBoundingClientRect();
+      const list = box("resume-steps");
+      const isSeen = (id, within) => box(id).top >= within.top - 1 && box(id).bottom <= within.bottom + 1;
+      const window_ = { top: 0, bottom: innerHeight };
+      const step = document.activeElement.closest("#resume-steps") ? document.activeElement.id : "";
+      return { unseen: ["resume-title", "resume-text", "resume-left", "resume-back", "resume-start"].filter((id) => !isSeen(id, window_)),
+        list: list.height, step, isStepSeen: !step || isSeen(step, list) };"""
+    for width, height in ((1280, 600), (740, 360)):
+        page.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                     {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+        page.wait(lambda: page.script("return innerHeight") == height, f"a window of {height} px")
+        page.press("next")
+        page.wait(lambda: page.script("return document.getElementById('resume').open"), "the steps")
+        for focus in ("resume-back", "resume-way", "resume-link", "resume-start"):
+            page.script(f"document.getElementById('{focus}').focus()")
+            found = page.script(seen)
+            picture = os.environ.get("LAMINA_PICTURES")
+            if picture:
+                page.browser.save_screenshot(f"{picture}/resume_{width}x{height}_{focus}.png")
+            require(not found["unseen"], f"in {width} x {height} with the focus on {focus}: {found['unseen']} not seen")
+            require(found["isStepSeen"] and found["list"] >= 80, f"in {width} x {height} with the focus on {focus}: {found}")
+        page.press("resume-back")
+        page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
+    page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
 def check_upload_pressed_twice(page, cell, folder):
     cell.upload_s = 1.0
     program = f"{folder}/a.gcode"
@@ -353,7 +404,8 @@ def main():
     try:
         for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_silent_socket, ()), (check_camera_after_loss, ()),
                             (check_second_press, ()),
-                            (check_resume_only_where_it_can_be_done, ()), (check_upload_pressed_twice, (folder,)),
+                            (check_resume_only_where_it_can_be_done, ()),
+                            (check_resume_from_the_place_that_was_confirmed, ()), (check_resume_in_a_low_window, ()), (check_upload_pressed_twice, (folder,)),
                             (check_mesh_fields, (folder,)), (check_old_figures, ()),
                             (check_clock_set_back, ())):
             Handler.cell = Cell()

@@ -75,8 +75,8 @@ CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corr
 std::string digestOf(const CorrectionMap& map);
 
 /// @throws InvalidInput naming path and station: if a value is not finite, an amount or speed is -1 or less
-///   or above 5, a shift is above 100 mm, a spacing is not positive, paths do not ascend, a path has no
-///   stations, or the expected beginning is none
+///   or above 5, a shift is above 100 mm, a spacing is not positive or, of several stations, below 0.001 mm,
+///   paths do not ascend, a path has no stations, or the expected beginning is none
 void validate(const CorrectionMap& map);
 
 /// The map as CSV, a row per station under comments that state toolpath, layer, sequence and digest, and the

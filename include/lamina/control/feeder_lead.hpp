@@ -49,8 +49,8 @@ ExpectedBeginning expectedBeginning(const LayerCells& cells, const std::vector<d
                                     double dead_time_s);
 
 /// The map of a layer with its amounts led as by `ledCorrection`, without what it expects of the layer above.
-/// All paths get the least spacing of stations that the map has. Paths that `layerCells` gives no cells stay
-/// unchanged. Without delay the result is `map`.
+/// All paths get the least spacing of stations that the map has, leaving out paths of one station. Paths that
+/// `layerCells` gives no cells stay unchanged. Without delay the result is `map`.
 /// @throws InvalidInput as `validate`
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
                      const LoopSettings& settings);

@@ -42,6 +42,7 @@ class MapFingerprint {
 
 constexpr double kGreatestChange = 5.0;   // of amount and speed, as the law's greatest limit
 constexpr double kGreatestShift = 100.0;  // mm
+constexpr double kLeastSpacing = 1e-3;    // mm: a thousandth of what sensors resolve along a path
 
 void requireWithin(const PathCorrection& path, std::size_t station, const char* what, double change) {
   if (change <= -1.0 || change > kGreatestChange)
@@ -54,6 +55,11 @@ void requireStations(const PathCorrection& path) {
   if (!(path.spacing_mm > 0.0) || !std::isfinite(path.spacing_mm))
     refuseStation(path, 0,
                   "stations are " + numberText(path.spacing_mm) + " mm apart; expected a positive distance");
+  // Layers are divided as densely as their maps are.
+  if (path.stations.size() > 1 && path.spacing_mm < kLeastSpacing)
+    refuseStation(path, 0,
+                  "stations are " + numberText(path.spacing_mm) + " mm apart; expected at least " +
+                      numberText(kLeastSpacing) + " mm");
   if (path.stations.empty()) refuseStation(path, 0, "there is none; expected one at least");
   for (std::size_t i = 0; i < path.stations.size(); ++i) {
     const PointCorrection& place = path.stations[i];

@@ -8,15 +8,20 @@
 namespace lamina {
 namespace {
 
+constexpr double kUndivided = 1e9;  // mm: longer than any path
+
 const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
   const auto found = std::find_if(map.paths.begin(), map.paths.end(),
                                   [path](const PathCorrection& each) { return each.path == path; });
   return found == map.paths.end() ? nullptr : &*found;
 }
 
+/// The least spacing of stations. That of a path of one station is its length, however short, and asks for no
+/// denser ones elsewhere.
 double densestStation(const CorrectionMap& map) {
-  double least = map.paths.front().spacing_mm;
-  for (const PathCorrection& path : map.paths) least = std::min(least, path.spacing_mm);
+  double least = kUndivided;
+  for (const PathCorrection& path : map.paths)
+    if (path.stations.size() > 1) least = std::min(least, path.spacing_mm);
   return least;
 }
 

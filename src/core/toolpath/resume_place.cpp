@@ -3,7 +3,9 @@
 #include "lamina/toolpath/resume_place.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 
@@ -42,6 +44,14 @@ ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported
   place.begin_mm = std::max(beads.beadStart(least_mm), least_mm - settings.overlap_mm);
   place.heading_for = beads.headingFor(place.begin_mm);
   return place;
+}
+
+void requireConfirmed(const ResumePlace& place, double begin_mm, const ToolpathResumeSettings& settings) {
+  if (std::abs(place.begin_mm - begin_mm) <= settings.tolerance_mm) return;
+  throw InvalidInput("the job would begin after " + numberText(place.begin_mm) +
+                     " mm of its beads, and a person has confirmed " + numberText(begin_mm) +
+                     " mm; expected the same to " + numberText(settings.tolerance_mm) +
+                     " mm (resume.tolerance_mm): look at the place, and confirm it anew");
 }
 
 std::string toText(const ResumePlace& place) {

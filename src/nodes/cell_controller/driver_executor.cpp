@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "conversions.hpp"
 #include "driver_language.hpp"
 #include "lamina/base/number_text.hpp"
 #include "names.hpp"
@@ -36,7 +37,7 @@ void DriverExecutor::lookAtResume(const std::string& program, const ExecutionPro
     std::string job = program + ' ' + numberText(progress.path_mm);
     if (job != job_) {
       refusal_ = kUnanswered;
-      outlook_ = {true, ""};
+      outlook_ = {true, "", {}};
       job_ = std::move(job);
     }
     if (std::exchange(is_asked_, true)) return;
@@ -49,7 +50,8 @@ void DriverExecutor::lookAtResume(const std::string& program, const ExecutionPro
     if (!callService(place_.getService(), call)) call.response.status.message = kUnanswered;
     const std::lock_guard<std::mutex> lock(mutex_);
     refusal_ = call.response.status.message;
-    outlook_ = {true, call.response.text};
+    outlook_ = {true, call.response.text, {}};
+    if (refusal_.empty()) outlook_.begin_mm = toMillimetres(call.response.begin_length);
     is_asked_ = false;
   });
 }
@@ -57,6 +59,11 @@ void DriverExecutor::lookAtResume(const std::string& program, const ExecutionPro
 ResumeOutlook DriverExecutor::resumeOutlook() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return outlook_;
+}
+
+void DriverExecutor::confirmPlace(std::optional<double> begin_mm) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  confirmed_mm_ = begin_mm ? begin_mm : outlook_.begin_mm;
 }
 
 lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) const {
@@ -69,6 +76,8 @@ lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) c
   if (goal.resume) {
     goal.laid_length = 1e-3 * order.progress.path_mm;
     goal.laid_volume = 1e-9 * order.progress.deposited_mm3;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (confirmed_mm_) goal.confirmed_length = {toMetres(*confirmed_mm_)};
   }
   return goal;
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "action_executor.hpp"
@@ -24,6 +25,7 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
   ExecutorTraits traits() const override;
   void lookAtResume(const std::string& program, const ExecutionProgress& progress) override;
   ResumeOutlook resumeOutlook() const override;
+  void confirmPlace(std::optional<double> begin_mm) override;
 
  protected:
   lamina_msgs::DriveToolpathGoal goalOf(const StartOrder& order) const override;
@@ -33,7 +35,8 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
   Placement placement_;
   ros::ServiceClient place_;
   mutable std::mutex mutex_;  ///< of what follows
-  ResumeOutlook outlook_{true, ""};
+  ResumeOutlook outlook_{true, "", {}};
+  std::optional<double> confirmed_mm_;  ///< as in `confirmPlace`
   std::string refusal_;
   std::string job_;        ///< program and progress that both are about
   bool is_asked_ = false;  ///< and not answered

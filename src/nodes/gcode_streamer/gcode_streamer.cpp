@@ -67,6 +67,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       heaters_(node.advertise<lamina_msgs::HeaterState>(names::kHeaterState, 100, true)),
+      progress_(node.advertise<lamina_msgs::PrintProgress>(names::kPrintProgress, 100)),
       report_([this](const auto& state, const auto& heaters) { publishState(state, heaters); }),
       pause_(advertiseForOwner(node, names::kPause, owner_,
                                [this](auto& request, auto& response) { return onPause(request, response); })),
@@ -244,10 +245,11 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
   const bool may_be_replaced = corrected && settings_.corrections.follows_plans;
   startup_.watchJob(program, may_be_replaced ? WatchedLines::MayBeReplaced : WatchedLines::OfTheProgram);
   requireWanted();
+  LaidLines laid(sent, corrected, settings_.program.filament_diameter_mm);
   const auto session = std::make_shared<StreamSession>(
       sent, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
       SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, start,
-                     corrected});
+                     laid.revision()});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -267,6 +269,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     ROS_WARN("nobody listens at %s: no watch stops the machine if this node dies",
              settings_.guard_socket.c_str());
   return follow(*session, [&](const StreamStatus& now) {
+    publishProgress(now, laid.through(now.lines_acknowledged));
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) reports_.tell(*corrected);
@@ -544,6 +547,12 @@ void GcodeStreamer::publishState(lamina_msgs::MachineState state, lamina_msgs::H
   heaters.header.stamp = state.header.stamp;
   publishLatched(state_, state);
   publishLatched(heaters_, heaters);
+}
+
+void GcodeStreamer::publishProgress(const StreamStatus& status, const LaidFilament& laid) const {
+  lamina_msgs::PrintProgress message = toPrintProgress(status, laid, report_.job());
+  message.header.stamp = ros::Time::now();
+  progress_.publish(message);
 }
 
 /// Between jobs: the state is that in which the last one ended.

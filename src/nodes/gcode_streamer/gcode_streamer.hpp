@@ -19,6 +19,7 @@
 #include "correction_reports.hpp"
 #include "dry_program.hpp"
 #include "job_alarms.hpp"
+#include "laid_lines.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/guard/pulse_link.hpp"
 #include "lamina/streaming/session/stream_session.hpp"
@@ -97,6 +98,7 @@ class GcodeStreamer {
   MachinePulse pulse() const;
 
   void onStatus(const StreamStatus& status);
+  void publishProgress(const StreamStatus& status, const LaidFilament& laid) const;
   void publishState(lamina_msgs::MachineState state, lamina_msgs::HeaterState heaters) const;
 
   void onStartup(const StartupReport& report);
@@ -110,6 +112,7 @@ class GcodeStreamer {
   Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
   ros::Publisher heaters_;
+  ros::Publisher progress_;
   ros::Publisher position_;
   StreamReport report_;
   CorrectionReports reports_;

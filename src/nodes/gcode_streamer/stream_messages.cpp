@@ -94,6 +94,16 @@ lamina_msgs::HeaterState toHeaterState(const StreamStatus& status) {
   return message;
 }
 
+lamina_msgs::PrintProgress toPrintProgress(const StreamStatus& status, const LaidFilament& laid,
+                                           const std::string& job) {
+  lamina_msgs::PrintProgress message;
+  message.job = job;
+  message.laid_length = toMetres(laid.length());
+  message.laid_volume = 1e-9 * laid.volume();
+  message.tip_speed = status.state == PackmlState::Execute ? toMetres(laid.feed()) : 0.0;
+  return message;
+}
+
 lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status) {
   lamina_msgs::StreamProgramFeedback feedback;
   feedback.state = toString(status.state);

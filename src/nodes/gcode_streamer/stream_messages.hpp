@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "lamina/program/gcode/laid_filament.hpp"
 #include "lamina/streaming/session/streamer.hpp"
 #include "messages.hpp"
 
@@ -17,6 +18,11 @@ lamina_msgs::HeaterState toHeaterState(const StreamStatus& status);
 /// @param job  file or toolpath being streamed; empty if none
 /// @return the message without stamp
 lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::string& job);
+
+/// What is laid by the lines that the machine has accepted, and the feed of the last one while the job runs;
+/// without stamp. Motions that wait in the machine's buffer count as done.
+lamina_msgs::PrintProgress toPrintProgress(const StreamStatus& status, const LaidFilament& laid,
+                                           const std::string& job);
 
 lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status);
 

@@ -64,12 +64,19 @@ class RobotCell : public test::UnitOfNodes {
     controller.reset();  // before what it commands
   }
 
-  void startDriver() {
-    driver = start({}, LAMINA_DRIVER_NODE,
-                   {std::string("_machine/name:=") + kMachine, "_executor/owner:=cell_controller",
-                    "_owner/grace_s:=" + std::to_string(owner_grace_s_), "_tracking/silence_by:=stamps",
-                    "_feeder/points:=250", "_feeder/ahead_s:=4", "_start_delay_s:=0.2",
-                    "_approach/lift_mm:=5", "_approach/joint_speed:=1.0", "_lift_mm_s:=20"});
+  void startDriver(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {std::string("_machine/name:=") + kMachine,
+                                          "_executor/owner:=cell_controller",
+                                          "_owner/grace_s:=" + std::to_string(owner_grace_s_),
+                                          "_tracking/silence_by:=stamps",
+                                          "_feeder/points:=250",
+                                          "_feeder/ahead_s:=4",
+                                          "_start_delay_s:=0.2",
+                                          "_approach/lift_mm:=5",
+                                          "_approach/joint_speed:=1.0",
+                                          "_lift_mm_s:=20"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    driver = start({}, LAMINA_DRIVER_NODE, arguments);
   }
   std::uint32_t enqueueReleased() {
     const std::uint32_t job = enqueue(slowBeads(), "beads.csv");
@@ -145,6 +152,24 @@ TEST(RobotCell, RunsAJobThatIsHeldAndAbortsTheNext) {
   EXPECT_FALSE(cell.status.resume_waits);
 }
 
+/// A driver that is started otherwise drives otherwise than the unit has checked.
+TEST(RobotCell, RefusesJobsWhoseDriverHasOtherSettings) {
+  RobotCell cell("robot_differs");
+  const auto takes = [&cell] { return cell.enqueue(slowBeads(), "beads.csv") != 0; };
+  EXPECT_TRUE(takes()) << cell.reason;
+  cell.driver->end(SIGINT);
+  cell.startDriver({"_joints/yaw:=held", "_clearance/spacing_mm:=3.5"});
+  ASSERT_TRUE(waitUntil([&] { return !takes(); })) << "the driver has said by what it checks";
+  EXPECT_TRUE(isIn(cell.reason, "joints.yaw is 'free' for the unit and 'held' for its driver"))
+      << cell.reason;
+  EXPECT_TRUE(isIn(cell.reason, "' for the unit and '3.5' for its driver")) << cell.reason;
+  EXPECT_FALSE(isIn(cell.reason, "approach.")) << cell.reason;
+  cell.driver->end(SIGINT);
+  // Parameters outlive the node that was started with them.
+  cell.startDriver({"_joints/yaw:=free", "_clearance/spacing_mm:=1"});
+  EXPECT_TRUE(waitUntil(takes)) << cell.reason;
+}
+
 /// How often each half millimetre of the two beads was laid, by what the controller reported.
 class LaidCells {
  public:
@@ -203,9 +228,15 @@ void resumesOnTheBead(RobotCell& cell) {
   EXPECT_TRUE(isIn(place(), "the nozzle came to rest on it after")) << place();
   EXPECT_TRUE(isIn(place(), "layer 0, path 0, waypoint 1")) << place();
   EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
+  cell.confirmed_length = {0.039};
+  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted) << "no more than 36 mm were laid";
+  EXPECT_TRUE(isIn(cell.reason, "that was confirmed begins after 39 mm of beads")) << cell.reason;
+  for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
+    if (step.name == "place") cell.confirmed_length = {step.begin_length};
   const double rested = cell.machine.tip(cell.machine.reports.back()).x();
   ASSERT_LT(std::abs(rested), kHalf - 4.0);
-  ASSERT_TRUE(cell.starts(Command::RESUME));
+  ASSERT_TRUE(cell.starts(Command::RESUME)) << cell.reason;
+  cell.confirmed_length.clear();
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged == kRows; }));
   const LaidCells laid(cell.machine);

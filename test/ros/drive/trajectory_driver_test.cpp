@@ -339,8 +339,8 @@ Toolpath eightBeads() {
   return {"eight beads", {layer}};
 }
 
-CorrectionMap evenMap(const Toolpath& part, double amount, std::uint64_t sequence) {
-  const LayerCells cells = layerCells(part.layers[0], 0, 0.5);
+CorrectionMap evenMap(const Toolpath& part, double amount, std::uint64_t sequence, std::size_t layer = 0) {
+  const LayerCells cells = layerCells(part.layers[layer], layer, 0.5);
   return correctionMap(cells, {std::vector<double>(cells.size(), amount), {}, {}}, toolpathId(part),
                        sequence);
 }
@@ -385,6 +385,50 @@ TEST(TrajectoryDriver, TrimsALayerThatIsUnderWay) {
   EXPECT_GT(last, 5U);
   ASSERT_EQ(applied.size(), 1U) << "of the map that the layer begins with";
   EXPECT_EQ(applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
+}
+
+/// The map of the second layer does not come: it is laid by its coasting map.
+TEST(TrajectoryDriver, DrivesALayerWithoutAMapByItsCoastingMap) {
+  Toolpath part = twoBeads();
+  const Point3 end(-kHalf, 35, kHeight);
+  const Point3 above(-kHalf, 35, 2.0 * kHeight);
+  part.layers[0].paths.push_back(straight(PathRole::Travel, end, above));
+  part.layers.push_back({above.z(), kHeight, {straight(PathRole::OuterWall, above, {kHalf, 35, above.z()})}});
+  ros::NodeHandle node("/trimmed");
+  auto correction = node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, 10, true);
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+      [&](const auto& message) { applied.push_back(*message); };
+  const auto uses =
+      node.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
+  DriveCell cell("/trimmed", "five_axis_head_table");
+  ASSERT_TRUE(waitUntil([&] { return correction.getNumSubscribers() > 0 && uses.getNumPublishers() > 0; }));
+  publishLatched(correction, toMessage(evenMap(part, 0.2, 1)));
+  cell.drive(part);
+  ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
+  const lamina_msgs::CorrectionMap coasting = toMessage(evenMap(part, -0.2, 0, 1));
+  publishLatched(correction, coasting);
+  ASSERT_TRUE(cell.ends());
+  ASSERT_EQ(cell.result().status.code, Status::OK + 0) << cell.result().status.message;
+  const double planned = 1e-9 * 30.0 * crossSection(Bead{1.0, kHeight});  // m^3/s
+  std::size_t reports[2] = {0, 0};                                        // by layer
+  for (const auto& report : cell.reports) {
+    const Point3 tip = cell.tip(report);
+    const std::size_t layer = tip.z() > 1.5 * kHeight ? 1 : 0;
+    // From 1.2 to 0.8 by 0.5 a second: 24 mm at 30 mm/s, from x = -20 mm on.
+    const bool is_even = layer == 1 ? tip.x() > 8.0 && tip.x() < 16.0 : std::abs(tip.x()) < 10.0;
+    if (!(report.process.flow > 0.0) || !is_even) continue;
+    ++reports[layer];
+    EXPECT_NEAR(report.process.flow / planned, layer == 1 ? 0.8 : 1.2, 0.02) << tip.transpose();
+  }
+  EXPECT_GT(reports[0], 10U);
+  EXPECT_GT(reports[1], 5U);
+  ASSERT_TRUE(waitUntil([&] { return applied.size() == 2; })) << applied.size();
+  EXPECT_EQ(applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
+  EXPECT_EQ(applied[1].layer, 1U);
+  EXPECT_EQ(applied[1].digest, coasting.digest);
+  EXPECT_GE(applied[1].waited, 2.0) << "loop.wait_s";
+  EXPECT_EQ(applied[1].reason, "");
 }
 
 TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {

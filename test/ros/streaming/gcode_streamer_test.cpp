@@ -122,7 +122,15 @@ class GcodeStreamer : public testing::Test {
   lamina::test::ScratchFolder folder_;
 };
 
+constexpr double kFilamentArea = 0.25 * M_PI * 1.75 * 1.75;  // mm^2
+
 TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
+  lamina_msgs::PrintProgress printed;
+  const boost::function<void(const lamina_msgs::PrintProgressConstPtr&)> on_printed =
+      [&printed](const auto& message) { printed = *message; };
+  const ros::Subscriber progress =
+      node_.subscribe<lamina_msgs::PrintProgress>(lamina::names::kPrintProgress, 100, on_printed);
+  ASSERT_TRUE(waitUntil([&] { return progress.getNumPublishers() > 0; }));
   const TestMachine machine(0.0, {"lost_ok=0.004", "corrupted_line=0.01", "lost_line=0.002",
                                   "spurious_resend=0.004", "delayed_ok=0.002", "silence=0.001"});
   const auto program = zigzag(2000);
@@ -136,6 +144,14 @@ TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
   ASSERT_TRUE(waitForState(MachineState::COMPLETE));
   EXPECT_EQ(state_->lines_total, program.size());
   EXPECT_NE(std::find(states_.begin(), states_.end(), "Execute"), states_.end());
+  // What it has laid, each line once: along x by 1 mm, back by 49 mm after 50 lines, along y by 1 mm or back
+  // by 19.
+  double length_mm = 0.0;
+  for (int i = 1; i < 2000; ++i) length_mm += std::hypot(i % 50 == 0 ? 49.0 : 1.0, i % 20 == 0 ? 19.0 : 1.0);
+  EXPECT_TRUE(waitUntil([&] { return std::abs(1e3 * printed.laid_length - length_mm) < 1e-6; }))
+      << printed.laid_length;
+  EXPECT_EQ(printed.job, folder_.file("program.gcode"));
+  EXPECT_NEAR(1e9 * printed.laid_volume, 19.99 * kFilamentArea, 1e-6);
 }
 
 /// Of what the machine has run nothing heats, extrudes or blows, and its feeds are half of the program's.
@@ -413,6 +429,12 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
       "/corrected/applied_correction", 100,
       [&](const lamina_msgs::AppliedCorrection::ConstPtr& message) { applied.push_back(*message); });
   ASSERT_TRUE(waitUntil([&] { return uses.getNumPublishers() > 0; }));
+  lamina_msgs::PrintProgress printed;
+  const boost::function<void(const lamina_msgs::PrintProgressConstPtr&)> on_printed =
+      [&printed](const auto& message) { printed = *message; };
+  const ros::Subscriber progress =
+      node_.subscribe<lamina_msgs::PrintProgress>("/corrected/print_progress", 100, on_printed);
+  ASSERT_TRUE(waitUntil([&] { return progress.getNumPublishers() > 0; }));
   lamina_msgs::StreamProgramGoal goal;
   goal.toolpath_id = placed.id;
   client.sendGoal(goal);
@@ -423,9 +445,11 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   // The map of the last layer never comes: what the layer before ended with fades by 0.5 a second, at 10 mm/s
   // by 0.025 from one cell of 0.5 mm to the next, from 0.275 in the first to 0.025 in the eleventh.
   constexpr double kFadedMm = 0.5 * 0.025 * (11.0 * 12.0 / 2.0);
-  constexpr double kFilamentArea = 0.25 * M_PI * 1.75 * 1.75;
   const double of_layer_mm = 2.0 * 40.0 * crossSection(lamina::Bead{3.0, 1.5}) / kFilamentArea;
   EXPECT_NEAR(filamentOf(machine.commands()), (3.0 + 0.3 + kFadedMm / 80.0) * of_layer_mm, 1e-3);
+  EXPECT_TRUE(waitUntil([&] { return std::abs(printed.laid_length - 0.240) < 1e-5; })) << printed.laid_length;
+  EXPECT_NEAR(1e9 * printed.laid_volume, (3.3 + kFadedMm / 80.0) * of_layer_mm * kFilamentArea, 0.01)
+      << "as it was corrected";
   std::ifstream file(folder_.file("corrections") + "/record.csv");
   const std::string record((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   EXPECT_NE(record.find("\n1,1," + toMessage(map).digest + ","), std::string::npos) << record;
