@@ -80,12 +80,15 @@ class DriveCell {
   }
   void drive(Toolpath toolpath) { drive(std::move(toolpath), model->name()); }
   void ask(const std::string& id) {
-    waitUntil([&] { return client_.isServerConnected(); });
     lamina_msgs::DriveToolpathGoal goal;
     goal.toolpath_id = id;
     goal.dry = dry;
     goal.speed = speed;
     goal.from_waypoint = from_waypoint;
+    ask(goal);
+  }
+  void ask(const lamina_msgs::DriveToolpathGoal& goal) {
+    waitUntil([&] { return client_.isServerConnected(); });
     state.clear();
     client_.sendGoal(goal);
   }
