@@ -3,12 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <string>
 
 #include "action_executor.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "messages.hpp"
+#include "resume/resume_look.hpp"
 
 namespace lamina {
 
@@ -32,11 +32,7 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
  private:
   Placement placement_;
   ros::ServiceClient place_;
-  mutable std::mutex mutex_;  ///< of what follows
-  ResumeOutlook outlook_{true, ""};
-  std::string refusal_;
-  std::string job_;        ///< program and progress that both are about
-  bool is_asked_ = false;  ///< and not answered
+  ResumeLook look_;
   // Last, so that it ends before what it uses.
   OrderThread looks_;
 };
