@@ -40,8 +40,9 @@ async function next() {
   const refusal = state.unit.resume_refusal;
   // What stands against it may go by, as a machine that still moves: the step of the place waits with the reason.
   if (!refusal || state.unit.resume_steps?.length) {
-    const { choice, confirmed } = await walkThrough(jobName());
-    if (choice) await give("Start", { ...seen, cut_off: choice, ...(choice === "resume" && { confirmed }) });
+    const { choice, confirmed, begin } = await walkThrough(jobName());
+    const looked = choice === "resume" && { confirmed, confirmed_begin_mm: begin };
+    if (choice) await give("Start", { ...seen, cut_off: choice, ...looked });
     return undefined;
   }
   const choice = await ask({

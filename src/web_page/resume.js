@@ -82,7 +82,7 @@ export function wireResume() {
   byId("resume-start").addEventListener("click", start);
 }
 
-/** @returns "resume", with the names of what was confirmed; "discard"; or "" for going back */
+/** @returns "resume", with the names of what was confirmed and where the job then begins; "discard"; or "" for going back */
 export function walkThrough(job) {
   const dialog = byId("resume");
   if (dialog.open) return Promise.resolve({ choice: "", confirmed: [] });
@@ -100,7 +100,7 @@ export function walkThrough(job) {
         if (opener && opener.isConnected) opener.focus();
         else focusOn(byId("commands"));
       }
-      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()] });
+      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()], begin: confirmed.get("place")?.begin_mm ?? null });
     }, { once: true });
   });
 }

@@ -51,15 +51,35 @@ TEST(ResumeSteps, TakeACounterOfLinesForAProof) {
 TEST(ResumeSteps, AreConfirmedOneByOne) {
   ResumeConditions found = robotAtRest();
   const auto left = [&found](const std::vector<std::string>& confirmed) {
-    return unconfirmed(resumeSteps(found), confirmed).size();
+    return unconfirmed(resumeSteps(found), {confirmed}).size();
   };
   EXPECT_EQ(left({}), 4U);
   EXPECT_EQ(left({"way", "place"}), 2U);
   EXPECT_EQ(left({"place", "part", "ready", "way"}), 0U);
-  EXPECT_EQ(unconfirmed(resumeSteps(found), {"part", "ready", "way"}),
+  EXPECT_EQ(unconfirmed(resumeSteps(found), {{"part", "ready", "way"}}),
             std::vector<std::string>{"a person has to confirm 'place': it begins after 15 mm"});
   found.unready = {"bed is cold"};
   EXPECT_EQ(left({"place", "part", "way"}), 0U) << "what waits is for others to refuse";
+}
+
+/// Somebody has moved the robot between the look and the command.
+TEST(ResumeSteps, AreNotConfirmedWhereThePlaceHasBecomeAnotherOne) {
+  ResumeConditions found = robotAtRest();
+  found.begin_mm = 15.0;
+  const std::vector<std::string> all = {"place", "part", "ready", "way"};
+  const auto against = [&](std::optional<double> begin_mm) {
+    return unconfirmed(resumeSteps(found), {all, begin_mm});
+  };
+  EXPECT_EQ(resumeSteps(found)[1].begin_mm, 15.0);
+  EXPECT_FALSE(resumeSteps(found)[2].begin_mm);
+  EXPECT_TRUE(against({}).empty()) << "who states no place means the one that is shown";
+  EXPECT_TRUE(against(15.4).empty());
+  EXPECT_EQ(against(12.25), std::vector<std::string>{
+                                "the 'place' that was confirmed begins after 12.25 mm of beads, the job now "
+                                "after 15 mm; expected the same to 0.5 mm: look at it, and confirm it anew"});
+  EXPECT_EQ(against(15.6).size(), 1U);
+  found.is_by_place = false;
+  EXPECT_TRUE(against(12.25).empty()) << "a counter of lines proves its place";
 }
 
 TEST(ResumeSteps, ShowTheTemperatures) {

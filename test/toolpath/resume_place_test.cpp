@@ -56,6 +56,24 @@ TEST(ResumePlace, NeverGoesBackBeyondItsBead) {
   EXPECT_DOUBLE_EQ(placeOf(39.0, Point3(0, 0, 0.3)).begin_mm, 40.0);
 }
 
+TEST(ResumePlace, IsRefusedIfAPersonHasConfirmedAnotherOne) {
+  const ResumePlace place = placeOf(12.0, Point3(10, 7, 0.2));  // begins after 15 mm
+  const ToolpathResumeSettings settings{2.0, 0.5};
+  EXPECT_NO_THROW(requireConfirmed(place, 15.4, settings));
+  EXPECT_NO_THROW(requireConfirmed(place, 14.6, settings));
+  try {
+    requireConfirmed(place, 12.25, settings);
+    ADD_FAILURE() << "it begins elsewhere";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the job would begin after 15 mm of its beads, and a person has confirmed 12.25 mm; expected the "
+        "same to 0.5 mm (resume.tolerance_mm): look at the place, and confirm it anew");
+  }
+  EXPECT_THROW(requireConfirmed(place, 15.6, settings), InvalidInput);
+  EXPECT_THROW(requireConfirmed(place, std::nan(""), settings), InvalidInput);
+}
+
 TEST(ResumePlace, KnowsAJobThatIsDone) {
   EXPECT_TRUE(placeOf(50.0, std::nullopt).isAllLaid());
   EXPECT_TRUE(placeOf(45.0, Point3(10, 0, 0.4)).isAllLaid());

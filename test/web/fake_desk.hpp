@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/web/cell_desk.hpp"
 
@@ -41,7 +42,8 @@ class FakeDesk final : public CellDesk {
     return take(std::string(toString(command.command)) + " by " + command.source +
                 (command.expected_sequence ? " at " + std::to_string(*command.expected_sequence) : "") +
                 (command.cut_off == 0 ? "" : " cut_off " + std::to_string(command.cut_off)) +
-                (command.confirmed.empty() ? "" : " confirmed " + listed(command.confirmed)));
+                (command.confirmed.steps.empty() ? "" : " confirmed " + listed(command.confirmed.steps)) +
+                (command.confirmed.begin_mm ? " from " + numberText(*command.confirmed.begin_mm) : ""));
   }
   DeskAnswer changeMode(int mode, const std::string& source) override {
     return take("mode " + std::to_string(mode) + " by " + source);

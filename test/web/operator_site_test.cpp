@@ -286,6 +286,10 @@ TEST(OperatorSite, AnswersWhatTheCellRefusesWithTheReasonAndWhatItWouldAccept) {
   EXPECT_EQ(site.lastAudit(),
             "this host | POST /api/v1/commands: Start; confirmed: part, way | refused 409: meant for another "
             "state");
+  site.ask(HttpMethod::Post, "/api/v1/commands", page,
+           R"({"command":"Start","cut_off":"resume","confirmed":["place"],"confirmed_begin_mm":12.5})");
+  EXPECT_EQ(site.desk.orders().back(), "Start by page: this host cut_off 1 confirmed place from 12.5");
+  EXPECT_NE(site.lastAudit().find("confirmed: place, from 12.5 mm |"), std::string::npos);
   site.desk.next = {DeskAnswer::Outcome::Silent, 0, "no answer", 0};
   EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/jobs/3/release", page).status, 503);
   EXPECT_EQ(site.desk.orders().back(), "change 0 of 3 by page: this host");
@@ -311,7 +315,8 @@ TEST(OperatorSite, RefusesBadBodiesAsAWhole) {
        {"", "[]", "{", R"({"command":3})", R"({"command":"Fly"})", R"({"command":"Start","if_sequence":-1})",
         R"({"command":"Start","if_sequence":1.5})", R"({"command":"Start","cut_off":"both"})",
         R"({"command":"Start","confirmed":"part"})", R"({"command":"Start","confirmed":[1]})",
-        R"({"command":"Start","confirmed":["a name of seventeen"]})"})
+        R"({"command":"Start","confirmed":["a name of seventeen"]})",
+        R"({"command":"Start","confirmed_begin_mm":"12"})", R"({"command":"Start","confirmed_begin_mm":-1})"})
     EXPECT_EQ(site.ask(HttpMethod::Post, "/api/v1/commands", page, body).status, 400) << body;
   for (const char* path : {"/api/v1/jobs/x/release", "/api/v1/jobs/-1/release",
                            "/api/v1/jobs/99999999999999999/move", "/api/v1/alarms/70000/acknowledge"})

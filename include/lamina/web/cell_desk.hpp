@@ -192,8 +192,8 @@ struct DeskCommand {
   std::string source;
   /// The command is refused if the unit's `sequence` differs.
   std::optional<std::uint32_t> expected_sequence;
-  int cut_off = 0;                          ///< for Start: 1 resumes the job that was cut off, 2 discards it
-  std::vector<std::string> confirmed = {};  ///< names of the steps of the resume that a person has confirmed
+  int cut_off = 0;                    ///< for Start: 1 resumes the job that was cut off, 2 discards it
+  ResumeConfirmation confirmed = {};  ///< of the resume, by a person
 };
 
 struct DeskProgram {

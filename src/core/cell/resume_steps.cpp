@@ -3,11 +3,15 @@
 #include "lamina/cell/resume_steps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kSamePlace = 0.5;  // mm of bead: what a robot at rest reports varies less
 
 ResumeStep linkStep(const ResumeConditions& found) {
   if (!found.is_executor_there)
@@ -19,7 +23,8 @@ ResumeStep linkStep(const ResumeConditions& found) {
 ResumeStep placeStep(const ResumeConditions& found) {
   if (!found.refusals.empty()) return {"place", ResumeStepState::Waits, listed(found.refusals, "; ")};
   if (found.place.empty()) return {"place", ResumeStepState::Waits, "where the job goes on is not known yet"};
-  return {"place", found.is_by_place ? ResumeStepState::Person : ResumeStepState::Done, found.place};
+  if (!found.is_by_place) return {"place", ResumeStepState::Done, found.place};
+  return {"place", ResumeStepState::Person, found.place, found.begin_mm};
 }
 
 ResumeStep readyStep(const ResumeConditions& found) {
@@ -45,12 +50,21 @@ std::vector<ResumeStep> resumeSteps(const ResumeConditions& found) {
 }
 
 std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
-                                     const std::vector<std::string>& confirmed) {
+                                     const ResumeConfirmation& confirmed) {
   std::vector<std::string> sentences;
-  for (const ResumeStep& step : steps)
-    if (step.state == ResumeStepState::Person &&
-        std::find(confirmed.begin(), confirmed.end(), step.name) == confirmed.end())
+  for (const ResumeStep& step : steps) {
+    if (step.state != ResumeStepState::Person) continue;
+    const auto& names = confirmed.steps;
+    if (std::find(names.begin(), names.end(), step.name) == names.end()) {
       sentences.push_back("a person has to confirm '" + step.name + "': " + step.text);
+    } else if (step.begin_mm && confirmed.begin_mm &&
+               !(std::abs(*step.begin_mm - *confirmed.begin_mm) <= kSamePlace)) {
+      sentences.push_back("the '" + step.name + "' that was confirmed begins after " +
+                          numberText(*confirmed.begin_mm) + " mm of beads, the job now after " +
+                          numberText(*step.begin_mm) + " mm; expected the same to " + numberText(kSamePlace) +
+                          " mm: look at it, and confirm it anew");
+    }
+  }
   return sentences;
 }
 

@@ -51,6 +51,14 @@ ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported
   return place;
 }
 
+void requireConfirmed(const ResumePlace& place, double begin_mm, const ToolpathResumeSettings& settings) {
+  if (std::abs(place.begin_mm - begin_mm) <= settings.tolerance_mm) return;
+  throw InvalidInput("the job would begin after " + numberText(place.begin_mm) +
+                     " mm of its beads, and a person has confirmed " + numberText(begin_mm) +
+                     " mm; expected the same to " + numberText(settings.tolerance_mm) +
+                     " mm (resume.tolerance_mm): look at the place, and confirm it anew");
+}
+
 std::string toText(const ResumePlace& place) {
   // What encoders report varies, and the place is the same.
   const auto mm = [](double value) { return numberText(std::round(10.0 * value) / 10.0) + " mm"; };

@@ -26,7 +26,8 @@ json resumeStepsJson(const std::vector<ResumeStep>& steps) {
   for (const ResumeStep& step : steps)
     list.push_back({{"name", step.name},
                     {"state", kStates.at(static_cast<std::size_t>(step.state))},
-                    {"text", step.text}});
+                    {"text", step.text},
+                    {"begin_mm", step.begin_mm ? json(*step.begin_mm) : json()}});
   return list;
 }
 

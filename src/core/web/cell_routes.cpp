@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/web/mesh_upload.hpp"
 #include "web/site_routes.hpp"
@@ -197,13 +198,28 @@ std::vector<std::string> confirmedIn(const json& body) {
   return names;
 }
 
+std::optional<double> confirmedPlace(const json& body) {
+  const auto begin = body.find("confirmed_begin_mm");
+  if (begin == body.end() || begin->is_null()) return std::nullopt;
+  if (!begin->is_number() || begin->get<double>() < 0.0)
+    throw InvalidInput("confirmed_begin_mm is no length from 0 mm on; expected begin_mm of the step 'place'");
+  return begin->get<double>();
+}
+
+/// For the audit: what was confirmed, or nothing.
+std::string confirmedText(const ResumeConfirmation& confirmed) {
+  if (confirmed.steps.empty()) return "";
+  const std::string text = "; confirmed: " + listed(confirmed.steps);
+  return confirmed.begin_mm ? text + ", from " + numberText(*confirmed.begin_mm) + " mm" : text;
+}
+
 WebResponse giveCommand(SiteCall& call) {
   const json body = bodyObject(call);
   DeskCommand command;
   command.command = commandNamed(textOf(body, "command"));
   command.source = call.source();
   command.cut_off = cutOffOf(body);
-  command.confirmed = confirmedIn(body);
+  command.confirmed = {confirmedIn(body), confirmedPlace(body)};
   if (command.command != UnitCommand::Hold && !mayDo(*call.who().role, WebRight::Operate))
     return errorAnswer(403, "wrong_role", std::string("a viewer may hold, and give no other command"));
   const auto sequence = body.find("if_sequence");
@@ -213,7 +229,7 @@ WebResponse giveCommand(SiteCall& call) {
     command.expected_sequence = sequence->get<std::uint32_t>();
   }
   std::string note = toString(command.command);
-  if (!command.confirmed.empty()) note += "; confirmed: " + listed(command.confirmed);
+  note += confirmedText(command.confirmed);
   return noted(orderAnswer(call, call.parts.desk.command(command)), note);
 }
 

@@ -38,7 +38,6 @@ constexpr double kFeedInterval = 1.0;            // [s] between two tries of a s
 constexpr double kResumeLook = 2.0;              // [s] between two looks at where a job is resumed
 constexpr int kEmergencyStopPressed = 1207;
 constexpr int kStartAtTheMachine = 1312;
-constexpr int kResumeUnconfirmed = 1315;
 constexpr int kExecutorLost = 2201;
 constexpr int kExecutorSilent = 2202;
 constexpr int kJournalDamaged = 7001;
@@ -248,18 +247,16 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
   if (request.expected_sequence >= 0)
     asked.expected_sequence = static_cast<std::uint32_t>(request.expected_sequence);
   if (*command == UnitCommand::Start) asked.unmet = againstStart(request.source);
-  if (*command == UnitCommand::Start && request.cut_off == Request::RESUME)
-    for (std::string& sentence : unconfirmed(resumeSteps(), request.confirmed))
-      asked.unmet.push_back({kResumeUnconfirmed, std::move(sentence)});
-  const double late_s =
-      request.expires.isZero() ? 0.0 : ros::WallTime::now().toSec() - request.expires.toSec();
-  const bool is_too_late = late_s > 0.0 && precedence(*command) > precedence(UnitCommand::Hold);
-  const CommandAnswer answer =
-      is_too_late
-          ? CommandAnswer{CommandResult::StaleSequence,
-                          std::string(toString(*command)) + " came " + numberText(late_s) +
-                              " s after it had expired; expected it in time, or clocks that agree"}
-          : cell_->command(std::move(asked), surroundings(), static_cast<CutOffJob>(request.cut_off), now());
+  if (*command == UnitCommand::Start && request.cut_off == Request::RESUME) {
+    const ResumeConfirmation confirmed = confirmationOf(request);
+    for (UnmetGuard& guard : againstUnconfirmed(resumeSteps(), confirmed))
+      asked.unmet.push_back(std::move(guard));
+    executor_->confirmPlace(confirmed.begin_mm);
+  }
+  const std::optional<CommandAnswer> expired = expiredAnswer(request, *command);
+  const CommandAnswer answer = expired ? *expired
+                                       : cell_->command(std::move(asked), surroundings(),
+                                                        static_cast<CutOffJob>(request.cut_off), now());
   if (*command == UnitCommand::Start && answer.result == CommandResult::Accepted) demandLocalStart(false);
   response.result = numberOf(answer.result);
   response.message = answer.reason;
@@ -548,6 +545,7 @@ std::vector<ResumeStep> CellController::resumeSteps() const {
   found.unready = surroundings().start.unready;
   const ResumeOutlook outlook = executor_->resumeOutlook();
   found.is_by_place = outlook.is_by_place;
+  found.begin_mm = outlook.begin_mm;
   found.place = outlook.is_by_place ? outlook.text : lineText(open->progress.taken_through);
   found.temperatures = temperaturesText(executor_->machine());
   return lamina::resumeSteps(found);

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "conversions.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr int kResumeUnconfirmed = 1315;
 
 std::string sentencesOf(const std::vector<UnmetGuard>& against) {
   std::vector<std::string> sentences;
@@ -46,7 +51,33 @@ lamina_msgs::ResumeStep toMessage(const ResumeStep& step) {
   message.name = step.name;
   message.state = static_cast<std::uint8_t>(step.state);
   message.text = step.text;
+  message.begin_length = step.begin_mm ? toMetres(*step.begin_mm) : std::numeric_limits<double>::quiet_NaN();
   return message;
+}
+
+ResumeConfirmation confirmationOf(const lamina_msgs::PackmlCommand::Request& request) {
+  ResumeConfirmation confirmed;
+  confirmed.steps = request.confirmed;
+  if (!request.confirmed_length.empty()) confirmed.begin_mm = toMillimetres(request.confirmed_length.front());
+  return confirmed;
+}
+
+std::vector<UnmetGuard> againstUnconfirmed(const std::vector<ResumeStep>& steps,
+                                           const ResumeConfirmation& confirmed) {
+  std::vector<UnmetGuard> against;
+  for (std::string& sentence : unconfirmed(steps, confirmed))
+    against.push_back({kResumeUnconfirmed, std::move(sentence)});
+  return against;
+}
+
+std::optional<CommandAnswer> expiredAnswer(const lamina_msgs::PackmlCommand::Request& request,
+                                           UnitCommand command) {
+  if (request.expires.isZero() || precedence(command) <= precedence(UnitCommand::Hold)) return std::nullopt;
+  const double late_s = ros::WallTime::now().toSec() - request.expires.toSec();
+  if (late_s <= 0.0) return std::nullopt;
+  return CommandAnswer{CommandResult::StaleSequence,
+                       std::string(toString(command)) + " came " + numberText(late_s) +
+                           " s after it had expired; expected it in time, or clocks that agree"};
 }
 
 std::string lineText(std::uint64_t taken_through) {

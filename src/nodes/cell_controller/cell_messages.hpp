@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ double fractionOf(const ExecutorReport& report);
 
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm);
 lamina_msgs::ResumeStep toMessage(const ResumeStep& step);
+/// What a person has confirmed of a resume, by the command that asks for it.
+ResumeConfirmation confirmationOf(const lamina_msgs::PackmlCommand::Request& request);
+/// Guards of what a person has to confirm of a resume and has not.
+std::vector<UnmetGuard> againstUnconfirmed(const std::vector<ResumeStep>& steps,
+                                           const ResumeConfirmation& confirmed);
+/// The answer to a command that moves and came too late; nothing if it came in time.
+std::optional<CommandAnswer> expiredAnswer(const lamina_msgs::PackmlCommand::Request& request,
+                                           UnitCommand command);
 /// Where a program of lines is gone on with.
 std::string lineText(std::uint64_t taken_through);
 /// That the machine reported last; empty if it reported none.

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "conversions.hpp"
 #include "driver_language.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
@@ -35,11 +36,17 @@ void DriverExecutor::lookAtResume(const std::string& program, const ExecutionPro
     call.request.placement = nameOf(placement_);
     call.request.laid_length = laid_m;
     if (!callService(place_.getService(), call)) call.response.status.message = kUnanswered;
-    look_.answer(job, {call.response.status.message, {true, call.response.text}});
+    ResumeAnswer answer{call.response.status.message, {true, call.response.text}};
+    if (answer.refusal.empty()) answer.outlook.begin_mm = toMillimetres(call.response.begin_length);
+    look_.answer(job, std::move(answer));
   });
 }
 
 ResumeOutlook DriverExecutor::resumeOutlook() const { return look_.outlook(); }
+
+void DriverExecutor::confirmPlace(std::optional<double> begin_mm) {
+  confirmed_mm_ = begin_mm ? begin_mm : look_.outlook().begin_mm;
+}
 
 lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) const {
   lamina_msgs::DriveToolpathGoal goal;
@@ -50,6 +57,7 @@ lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) c
   if (goal.resume) {
     goal.laid_length = 1e-3 * order.progress.path_mm;
     goal.laid_volume = 1e-9 * order.progress.deposited_mm3;
+    if (confirmed_mm_) goal.confirmed_length = {toMetres(*confirmed_mm_)};
   }
   return goal;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "action_executor.hpp"
@@ -24,6 +25,7 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
   ExecutorTraits traits() const override;
   void lookAtResume(const std::string& program, const ExecutionProgress& progress) override;
   ResumeOutlook resumeOutlook() const override;
+  void confirmPlace(std::optional<double> begin_mm) override;
 
  protected:
   lamina_msgs::DriveToolpathGoal goalOf(const StartOrder& order) const override;
@@ -33,6 +35,7 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
   Placement placement_;
   ros::ServiceClient place_;
   ResumeLook look_;
+  std::optional<double> confirmed_mm_;  ///< as in `confirmPlace`
   // Last, so that it ends before what it uses.
   OrderThread looks_;
 };

@@ -20,6 +20,8 @@ struct FeedAnswer {
 struct ResumeOutlook {
   bool is_by_place = false;  ///< whether that depends on where the machine stands
   std::string text;          ///< the place, for people
+  /// Length of beads after which it begins, where that depends on where the machine stands [mm].
+  std::optional<double> begin_mm = {};
 };
 
 /// The node that runs a cell's jobs on its machine, as the cell sees it. No call waits for the node.
@@ -46,6 +48,10 @@ class MachineExecutor : public Executor {
   virtual void lookAtResume(const std::string& /*program*/, const ExecutionProgress& /*progress*/) {}
   /// The last answer to `lookAtResume`; empty if there is none yet.
   virtual ResumeOutlook resumeOutlook() const { return {}; }
+
+  /// States where a person has confirmed that the job begins that is to be resumed next, as
+  /// `ResumeOutlook::begin_mm`; nothing for the last outlook. An executor that would begin elsewhere refuses.
+  virtual void confirmPlace(std::optional<double> /*begin_mm*/) {}
 
   /// The order that has waited for its answer for `patience_s` [s]; returned once, empty if there is none.
   virtual std::string takeUnanswered(double patience_s) = 0;

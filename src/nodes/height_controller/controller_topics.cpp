@@ -57,7 +57,8 @@ void ControllerTopics::publish(const lamina_msgs::LoopState& state) {
   publishLatched(state_, message);
 }
 
-void ControllerTopics::publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part) {
+void ControllerTopics::publishCells(const LayerOutcome& layer, std::size_t layers_below,
+                                    const Eigen::Isometry3d& bed_from_part) {
   sensor_msgs::PointCloud2 message = toCloudMessage(layer, bed_from_part);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
@@ -66,7 +67,7 @@ void ControllerTopics::publishCells(const LayerOutcome& layer, const Eigen::Isom
   message = gainCloudMessage(layer, bed_from_part);
   message.header = header;
   publishLatched(gains_, message);
-  publishLatched(beads_, deviationMarkers(layer, names::kBedFrame, bed_from_part));
+  publishLatched(beads_, deviationMarkers(layer, layers_below, names::kBedFrame, bed_from_part));
 }
 
 void ControllerTopics::clearCells() { publishLatched(beads_, noDeviationMarkers(names::kBedFrame)); }

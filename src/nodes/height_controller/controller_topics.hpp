@@ -4,6 +4,7 @@
 
 #include <ros/ros.h>
 
+#include <cstddef>
 #include <string>
 
 #include "lamina/control/run/loop_run.hpp"
@@ -27,7 +28,9 @@ class ControllerTopics {
   void publish(const lamina_msgs::LoopFigures& figures);
   /// An unchanged state is not published again.
   void publish(const lamina_msgs::LoopState& state);
-  void publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
+  /// @param layers_below  as of `deviationMarkers`
+  void publishCells(const LayerOutcome& layer, std::size_t layers_below,
+                    const Eigen::Isometry3d& bed_from_part);
   /// A new print begins: what is shown of the one before is to go.
   void clearCells();
 

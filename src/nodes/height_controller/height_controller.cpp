@@ -125,7 +125,10 @@ void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
     const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
     // Of a plan that the loop goes on with, the report goes on.
-    if (!goes_on) {
+    if (goes_on) {
+      layers_below_ += firstLayerOf(part.toolpath_id).value_or(0);
+    } else {
+      layers_below_ = 0;
       record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
       topics_.clearCells();
     }
@@ -368,7 +371,7 @@ void HeightController::report(const LayerOutcome& layer) {
   const LayerFigures& figures = layer.figures;
   const std::string& digest = digests_[figures.layer];
   topics_.publish(toMessage(layer, feed_.run()->part().toolpath_id, digest));
-  topics_.publishCells(layer, feed_.run()->part().bed_from_part);
+  topics_.publishCells(layer, layers_below_, feed_.run()->part().bed_from_part);
   record_.add(layer, digest);
   is_saved_ = false;
   ROS_INFO("layer %zu: rmse %.3f mm, mean %.3f mm, %.0f %% seen, gain %.3f, %s", figures.layer,

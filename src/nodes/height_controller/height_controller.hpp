@@ -7,6 +7,7 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -91,6 +92,7 @@ class HeightController {
   lamina_msgs::ToolpathConstPtr announced_toolpath_;  ///< the last one
   lamina_msgs::ToolpathConstPtr part_toolpath_;       ///< the last one that is no plan
   LoopRecord record_;
+  std::size_t layers_below_ = 0;  ///< layers of the print below the present plan of the layers left
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
   std::string toolpath_fault_;                  ///< why the last toolpath could not be used
   double last_arrival_s_ = 0.0;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "call_source.hpp"
+#include "conversions.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
 #include "sliced_upload.hpp"
@@ -43,8 +44,11 @@ ShownUnit shown(const lamina_msgs::PackmlStatus& status) {
   if (status.job.id != 0) unit.job = shown(status.job);
   unit.resume_waits = status.resume_waits;
   unit.resume_refusal = status.resume_refusal;
-  for (const lamina_msgs::ResumeStep& step : status.resume_steps)
+  for (const lamina_msgs::ResumeStep& step : status.resume_steps) {
     unit.resume_steps.push_back({step.name, static_cast<ResumeStepState>(step.state), step.text});
+    if (std::isfinite(step.begin_length))
+      unit.resume_steps.back().begin_mm = toMillimetres(step.begin_length);
+  }
   unit.is_part_on_plate = status.is_part_on_plate;
   unit.plc_access = status.remote_access != 0 ? PlcAccess::Allowed : PlcAccess::Locked;
   unit.lines = status.lines;
@@ -292,7 +296,8 @@ DeskAnswer RosDesk::command(const DeskCommand& command) {
   call.request.source = command.source;
   call.request.expected_sequence = command.expected_sequence ? std::int64_t{*command.expected_sequence} : -1;
   call.request.cut_off = static_cast<std::uint8_t>(command.cut_off);
-  call.request.confirmed = command.confirmed;
+  call.request.confirmed = command.confirmed.steps;
+  if (command.confirmed.begin_mm) call.request.confirmed_length = {toMetres(*command.confirmed.begin_mm)};
   // By then whoever asked has the report that nobody has answered.
   call.request.expires = ros::Time(ros::WallTime::now().toSec() + patience_s_);
   return callUnit({toString(command.command), effectOf(command.command)}, names::kPackmlCommand, call);

@@ -40,10 +40,10 @@ Marker newMarker(const char* name, const std::string& frame) {
 }
 
 /// From the top to the bottom.
-std::vector<std::string> scaleLines(const LayerOutcome& layer, double full_mm) {
+std::vector<std::string> scaleLines(const LayerFigures& figures, std::size_t number, double full_mm) {
   char of_layer[120];
-  std::snprintf(of_layer, sizeof of_layer, "layer %zu: off by %.3f mm (rms), %+.3f mm in the mean",
-                layer.figures.layer, layer.figures.rmse_mm, -layer.figures.mean_error_mm);
+  std::snprintf(of_layer, sizeof of_layer, "layer %zu: off by %.3f mm (rms), %+.3f mm in the mean", number,
+                figures.rmse_mm, -figures.mean_error_mm);
   char of_colours[80];
   std::snprintf(of_colours, sizeof of_colours, "red: %.2f mm too high, blue: too low, grey: not seen",
                 full_mm);
@@ -51,7 +51,7 @@ std::vector<std::string> scaleLines(const LayerOutcome& layer, double full_mm) {
 }
 
 /// A marker for each line: RViz sets the lines of one text a centimetre apart, however small its letters are.
-void addScale(MarkerArray& all, const LayerOutcome& layer, double full_mm,
+void addScale(MarkerArray& all, const LayerOutcome& layer, const std::vector<std::string>& lines,
               const Eigen::Isometry3d& frame_from_part) {
   Point3 low = frame_from_part * layer.cells.front().at;
   Point3 high = low;
@@ -61,7 +61,6 @@ void addScale(MarkerArray& all, const LayerOutcome& layer, double full_mm,
     high = high.cwiseMax(at);
   }
   const double letter_mm = std::max(kLeastText, kTextShare * (high - low).norm());
-  const std::vector<std::string> lines = scaleLines(layer, full_mm);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto lines_below = static_cast<double>(lines.size() - 1 - i);
     Point3 place = 0.5 * (low + high);
@@ -88,13 +87,14 @@ std_msgs::ColorRGBA deviationColour(double deviation_mm, double full_mm) {
   return colour;
 }
 
-MarkerArray deviationMarkers(const LayerOutcome& layer, const std::string& frame,
+MarkerArray deviationMarkers(const LayerOutcome& layer, std::size_t layers_below, const std::string& frame,
                              const Eigen::Isometry3d& frame_from_part) {
   MarkerArray all;
   if (layer.cells.empty()) return all;
   const double full_mm = kFullShare * layer.figures.height_mm;
+  const std::size_t number = layers_below + layer.figures.layer;
   Marker beads = newMarker("beads", frame);
-  beads.id = static_cast<std::int32_t>(layer.figures.layer);
+  beads.id = static_cast<std::int32_t>(number);
   beads.type = Marker::LINE_LIST;
   beads.color = grey(1.0F);
   double width_mm = 0.0;
@@ -108,7 +108,7 @@ MarkerArray deviationMarkers(const LayerOutcome& layer, const std::string& frame
   }
   beads.scale.x = toMetres(width_mm);
   all.markers.push_back(std::move(beads));
-  addScale(all, layer, full_mm, frame_from_part);
+  addScale(all, layer, scaleLines(layer.figures, number, full_mm), frame_from_part);
   return all;
 }
 

@@ -36,7 +36,7 @@ LayerOutcome shownLayer() {
 
 TEST(DeviationMarkers, AreBeadsInTheColoursOfTheirDeviation) {
   const Eigen::Isometry3d bed_from_part(Eigen::Translation3d(100.0, 0.0, 0.0));
-  const auto markers = deviationMarkers(shownLayer(), "bed", bed_from_part).markers;
+  const auto markers = deviationMarkers(shownLayer(), 0, "bed", bed_from_part).markers;
   ASSERT_EQ(markers.size(), 3U);
   const Marker& beads = markers[0];
   EXPECT_EQ(beads.header.frame_id, "bed");
@@ -57,7 +57,7 @@ TEST(DeviationMarkers, AreBeadsInTheColoursOfTheirDeviation) {
 }
 
 TEST(DeviationMarkers, SayWhatTheColoursMean) {
-  const auto markers = deviationMarkers(shownLayer(), "bed", Eigen::Isometry3d::Identity()).markers;
+  const auto markers = deviationMarkers(shownLayer(), 0, "bed", Eigen::Isometry3d::Identity()).markers;
   ASSERT_EQ(markers.size(), 3U);
   const Marker& layer = markers[1];
   const Marker& scale = markers[2];
@@ -76,6 +76,15 @@ TEST(DeviationMarkers, SayWhatTheColoursMean) {
   EXPECT_DOUBLE_EQ(layer.pose.position.z, 0.0083) << "1.6 heights of its letters above it";
 }
 
+/// A print whose layers from the twelfth on were planned anew: the plan counts from 0.
+TEST(DeviationMarkers, OfAPlanStandBesideThoseOfTheLayersBelowIt) {
+  const auto markers = deviationMarkers(shownLayer(), 12, "bed", Eigen::Isometry3d::Identity()).markers;
+  ASSERT_EQ(markers.size(), 3U);
+  EXPECT_EQ(markers[0].id, 13) << "the one of layer 1 of the print stays";
+  EXPECT_EQ(markers[1].text, "layer 13: off by 0.250 mm (rms), -0.125 mm in the mean");
+  EXPECT_EQ(markers[1].id, 0) << "one for all layers";
+}
+
 TEST(DeviationMarkers, AreFullAtTheEndOfTheirScaleAndBeyond) {
   EXPECT_FLOAT_EQ(deviationColour(0.0, 0.5).r, 1.0F);
   EXPECT_FLOAT_EQ(deviationColour(0.0, 0.5).b, 1.0F);
@@ -84,7 +93,7 @@ TEST(DeviationMarkers, AreFullAtTheEndOfTheirScaleAndBeyond) {
 }
 
 TEST(DeviationMarkers, OfNothingAreNone) {
-  EXPECT_TRUE(deviationMarkers({}, "bed", Eigen::Isometry3d::Identity()).markers.empty());
+  EXPECT_TRUE(deviationMarkers({}, 0, "bed", Eigen::Isometry3d::Identity()).markers.empty());
   const auto markers = lamina::noDeviationMarkers("bed").markers;
   ASSERT_EQ(markers.size(), 1U);
   EXPECT_EQ(markers[0].action, Marker::DELETEALL + 0);

@@ -205,7 +205,8 @@ void resumesOnTheBead(RobotCell& cell) {
   EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
   const double rested = cell.machine.tip(cell.machine.reports.back()).x();
   ASSERT_LT(std::abs(rested), kHalf - 4.0);
-  ASSERT_TRUE(cell.starts(Command::RESUME));
+  ASSERT_TRUE(cell.starts(Command::RESUME)) << cell.reason;
+  cell.confirmed_length.clear();
   ASSERT_TRUE(cell.reaches("Complete"));
   EXPECT_TRUE(waitUntil([&] { return cell.status.lines_acknowledged == kRows; }));
   const LaidCells laid(cell.machine);
@@ -228,6 +229,11 @@ TEST(RobotCell, ResumesTheJobOfAKilledDriverOnItsBead) {
   RobotCell cell("robot_killed", 0.0, 10.0);
   cell.enqueueReleased();
   cell.bringToIdle();
+  cell.confirmed_length = {0.039};
+  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted) << "no more than 36 mm were laid";
+  EXPECT_TRUE(isIn(cell.reason, "that was confirmed begins after 39 mm of beads")) << cell.reason;
+  for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
+    if (step.name == "place") cell.confirmed_length = {step.begin_length};
   cell.bringToBead();
   ASSERT_TRUE(
       waitUntil([&] { return cell.status.lines_acknowledged > 0 && cell.status.laid_length > 0.002; }));

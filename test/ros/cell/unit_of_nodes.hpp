@@ -84,6 +84,7 @@ class UnitOfNodes {
     lamina_msgs::PackmlCommand call;
     for (const lamina_msgs::ResumeStep& step : status.resume_steps)
       if (step.state == lamina_msgs::ResumeStep::PERSON) call.request.confirmed.push_back(step.name);
+    call.request.confirmed_length = confirmed_length;
     call.request.command = command;
     call.request.source = "test";
     call.request.cut_off = cut_off;
@@ -197,6 +198,7 @@ class UnitOfNodes {
   lamina_msgs::JobQueue queue;
   std::vector<std::string> states;
   std::string reason;
+  std::vector<double> confirmed_length;  ///< with each command
   bool could_hold_while_starting = false;
   std::unique_ptr<NodeProcess> controller;
 

@@ -24,17 +24,21 @@ using test::waitUntil;
 constexpr char kSpace[] = "/table";
 const double kArea = crossSection({1.0, kHeight});  // mm^2 of a bead
 
+/// @return its path
+std::string writeBeads(const ScratchFolder& folder, double height_mm) {
+  std::string path = folder.path() + "/beads.csv";
+  std::ofstream file(path);
+  writeCsv(twoBeads(height_mm), [&file](std::string_view piece) { file << piece; });
+  return path;
+}
+
 /// What the driver says of a file of two beads, of which 13 mm were reported.
 lamina_msgs::ResumePlace::Response placeOn(double height_mm) {
   const ScratchFolder folder;
   lamina_msgs::ResumePlace call;
-  call.request.program = folder.path() + "/beads.csv";
+  call.request.program = writeBeads(folder, height_mm);
   call.request.placement = "as_is";
   call.request.laid_length = 0.013;
-  {
-    std::ofstream file(call.request.program);
-    writeCsv(twoBeads(height_mm), [&file](std::string_view piece) { file << piece; });
-  }
   // A machine that still settles is asked again.
   EXPECT_TRUE(waitUntil([&call] {
     return callService(std::string(kSpace) + '/' + names::kResumePlace, call) &&
@@ -79,6 +83,33 @@ TEST(ResumedDrive, BeginsAtTheWaypointThatIsNamedAndReportsWhatItLays) {
   EXPECT_FALSE(elsewhere.is_found);
   EXPECT_NEAR(elsewhere.begin_length, 0.013 - 0.005 - 0.002, 1e-9);
   EXPECT_EQ(elsewhere.waypoint, 1U);
+}
+
+/// Somebody has moved the robot, or resume.overlap_mm is another, since a person has looked.
+TEST(ResumedDrive, RefusesAPlaceOtherThanTheOneThatWasConfirmed) {
+  const ScratchFolder folder;
+  DriveCell cell("table", "five_axis_head_table");
+  lamina_msgs::DriveToolpathGoal goal;
+  goal.program = writeBeads(folder, kHeight + 10.0);
+  goal.placement = "as_is";
+  goal.resume = 1U;
+  goal.laid_length = 0.013;  // begins 7 mm before, as above
+  goal.confirmed_length = {0.008};
+  // A machine that still settles is asked again.
+  EXPECT_TRUE(waitUntil([&] {
+    cell.ask(goal);
+    return cell.ends() && cell.result().status.message.find("still moves") == std::string::npos;
+  }));
+  EXPECT_EQ(cell.result().status.code, Status::INVALID_INPUT + 0);
+  EXPECT_NE(cell.result().status.message.find(
+                "would begin after 6 mm of its beads, and a person has confirmed 8 mm"),
+            std::string::npos)
+      << cell.result().status.message;
+  goal.resume = 0U;
+  cell.ask(goal);
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.message,
+            "confirmed_length has 1 numbers; expected one at most, with resume");
 }
 
 TEST(ResumedDrive, RefusesWaypointsThatTheToolpathDoesNotHave) {

@@ -13,6 +13,7 @@
 #include "lamina/control/replanned_toolpath.hpp"
 #include "point_cloud.hpp"
 #include "ros/drive/drive_cell.hpp"
+#include "ros/loop/shown_cells.hpp"
 
 namespace lamina {
 namespace {
@@ -164,6 +165,7 @@ TEST(RobotLoop, ComesNearerToThePlanThanWithoutIt) {
 /// A feeder that brings little more than half, which amounts alone cannot make up for.
 TEST(RobotLoop, GoesOnWithTheLayersLeftPlannedAnew) {
   SensingCell cell("replanned");
+  const test::ShownCells shown(ros::NodeHandle("replanned"));
   cell.drive(scannedWall());
   ASSERT_TRUE(cell.hasEnded());
   ASSERT_EQ(cell.result().status.code, lamina_msgs::Status::OK + 0)
@@ -175,6 +177,8 @@ TEST(RobotLoop, GoesOnWithTheLayersLeftPlannedAnew) {
   const double off_mm = cell.meanOfTop();
   ROS_INFO("top of the wall: %.3f mm off, planned anew %zu times", off_mm, cell.driven.size() - 1);
   EXPECT_LT(std::abs(off_mm), 0.5 * kLayer) << cell.history();
+  EXPECT_TRUE(waitUntil([&] { return shown.areAll(cell.layers.size()); }))
+      << "beads of each layer, also of plans";
   // The plan that the driver published took no toolpath's place.
   cell.ask(toolpathId(scannedWall()));
   EXPECT_TRUE(waitUntil([&] { return cell.state == "Execute" || cell.isDone(); }));

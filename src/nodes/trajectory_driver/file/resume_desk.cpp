@@ -100,6 +100,9 @@ ResumePlace ResumeDesk::placeBy(const LaidBeads& beads, const Eigen::Isometry3d&
 std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathGoal& goal,
                                                const MachineToolpath& placed) const {
   const std::vector<std::uint32_t>& from = goal.from_waypoint;
+  if (goal.confirmed_length.size() > (goal.resume ? 1U : 0U))
+    throw InvalidInput("confirmed_length has " + std::to_string(goal.confirmed_length.size()) +
+                       " numbers; expected one at most, with resume");
   if (!goal.resume && from.empty()) return std::nullopt;
   const LaidBeads beads(placed.toolpath);
   if (!goal.resume) {
@@ -115,6 +118,8 @@ std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathG
     throw InvalidInput("laid_volume is " + numberText(goal.laid_volume) + " m3; expected 0 m3 or more");
   requireResumable();
   ResumePlace place = placeBy(beads, placed.bed_from_part, goal.laid_length, settings_.controller_wait_s);
+  if (!goal.confirmed_length.empty())
+    requireConfirmed(place, toMillimetres(goal.confirmed_length.front()), settings_.resume);
   ROS_WARN_STREAM("the job is resumed: " << toText(place));
   return place;
 }
