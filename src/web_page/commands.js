@@ -38,7 +38,8 @@ async function next() {
   const seen = sequence();
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
   const refusal = state.unit.resume_refusal;
-  if (!refusal) {
+  // What stands against it may go by, as a machine that still moves: the step of the place waits with the reason.
+  if (!refusal || state.unit.resume_steps?.length) {
     const { choice, confirmed, begin } = await walkThrough(jobName());
     const looked = choice === "resume" && { confirmed, confirmed_begin_mm: begin };
     if (choice) await give("Start", { ...seen, cut_off: choice, ...looked });

@@ -3,18 +3,26 @@ import { byId, element, focusOn, setText, syncRows } from "/page/elements.js";
 import { texts } from "/page/texts.js";
 
 let shown = []; // steps, as the cell said last
-let confirmed = new Map(); // by name: what was confirmed
+let confirmed = new Map(); // by name: the step as it was confirmed
 let isRefused = false; // whether Start was pressed too early: what comes first is said until something is confirmed
 
+const samePlace = 0.5; // mm of bead: what a robot at rest reports varies less, and the unit compares by it too
+const worded = (text) => text.replace(/\d+(\.\d+)?/g, "#");
+
 // A place that has become another one is to be looked at again; temperatures may change.
-const seenAs = (step) => (step.name === "place" ? step.text : step.state);
-const isConfirmed = (step) => step.state === "person" && confirmed.get(step.name) === seenAs(step);
+function isSame(seen, step) {
+  if (seen.state !== step.state) return false;
+  if (step.name !== "place" || seen.text === step.text) return true;
+  return Number.isFinite(seen.begin_mm) && Number.isFinite(step.begin_mm) && worded(seen.text) === worded(step.text) &&
+    Math.abs(seen.begin_mm - step.begin_mm) <= samePlace;
+}
+const isConfirmed = (step) => step.state === "person" && confirmed.has(step.name) && isSame(confirmed.get(step.name), step);
 const isThere = (step) => step.state === "done" || isConfirmed(step);
 const open = () => shown.find((step) => !isThere(step));
 
 function confirm(name, isChecked) {
   const step = shown.find((each) => each.name === name);
-  if (step && isChecked) confirmed.set(name, seenAs(step));
+  if (step && isChecked) confirmed.set(name, { ...step });
   else confirmed.delete(name);
   isRefused = false;
   show();
@@ -53,7 +61,7 @@ export function showResume(unit) {
   shown = (unit.resume_waits && unit.resume_steps) || [];
   for (const [name, seen] of confirmed) {
     const step = shown.find((each) => each.name === name);
-    if (!step || step.state !== "person" || seenAs(step) !== seen) confirmed.delete(name); // to be looked at anew
+    if (!step || !isSame(seen, step)) confirmed.delete(name); // to be looked at anew
   }
   if (byId("resume").open) show();
 }
@@ -92,8 +100,7 @@ export function walkThrough(job) {
         if (opener && opener.isConnected) opener.focus();
         else focusOn(byId("commands"));
       }
-      const place = shown.find((step) => step.name === "place" && isConfirmed(step));
-      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()], begin: place?.begin_mm ?? null });
+      resolve({ choice: dialog.returnValue, confirmed: [...confirmed.keys()], begin: confirmed.get("place")?.begin_mm ?? null });
     }, { once: true });
   });
 }

@@ -81,8 +81,8 @@ export const texts = {
   not_emergency: "This is no emergency stop.",
   start_title: "A job was cut off",
   can_resume: "A job was cut off: Start goes through the steps of resuming it, or discards it.",
-  cannot_resume: (reason) => `A job was cut off and can only be discarded: ${reason}.`,
-  start_refused: (job, reason) => `${job} was interrupted and cannot be resumed: ${reason}. Discard it and print the next one?`,
+  cannot_resume: (reason) => `A job was cut off, and is not resumed as it is now: ${reason}. Start shows what is waited for, or discards it.`,
+  start_refused: (job, reason) => `${job} was interrupted and cannot be resumed now: ${reason}. Discard it and print the next one?`,
   resume_title: "Resume the job",
   resume_text: (job) => `${job} was cut off. Before material flows again, all of this has to be so. Look at the machine, and confirm what only you can see.`,
   resume_steps: {

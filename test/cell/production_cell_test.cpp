@@ -248,6 +248,44 @@ TEST(ProductionCell, AdoptsAJobThatRunsOnWithoutIt) {
   EXPECT_EQ(cell.executor.orders, (std::vector<std::string>{"start"}));
 }
 
+/// While a resumed job is planned, and on its approach, its executor reports none of it.
+TEST(ProductionCell, KeepsThePlaceOfAResumedJobThatItAdoptsOnItsWay) {
+  Cell cell;
+  bringToExecute(cell);
+  for (int i = 0; i < 4; ++i) cell.step();
+  cell.executor.fail(3101, "the controller is silent");
+  cell.step();
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  const ExecutionProgress laid{25, 20, 2, 312.5, 10.0};
+  cell.journal().setProgress(cell.journal().open()->id, laid, cell.now.utc_s);
+  cell.run().acknowledge(3101, "anna", cell.now);
+  cell.command(UnitCommand::Clear);
+  ASSERT_TRUE(cell.reaches(UnitState::Stopped));
+  bringToIdle(cell);
+  ASSERT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::Accepted)
+      << cell.answer.reason;
+  ASSERT_EQ(cell.executor.report.phase, ExecutorPhase::Starting);
+  cell.executor.report.progress = {0, 0, 0, 0.0, 0.0};
+  cell.kill();
+  cell.start();
+  EXPECT_EQ(cell.state(), UnitState::Starting);
+  cell.executor.fail(4105, "no way to the start");
+  cell.step();
+  ASSERT_TRUE(cell.reaches(UnitState::Aborted));
+  const ExecutionProgress kept = cell.journal().open()->progress;
+  EXPECT_EQ(kept.sent_through, 25U) << "else it begins anew, onto the part";
+  EXPECT_EQ(kept.taken_through, 20U);
+  EXPECT_EQ(kept.layer, 2);
+  EXPECT_EQ(kept.path_mm, 312.5);
+  EXPECT_EQ(kept.deposited_mm3, 10.0);
+}
+
+/// Handed over, and perhaps run: that none of it was reached says nothing of that.
+TEST(ProductionCell, TakesNothingBackThatWasHandedOver) {
+  const ExecutionProgress now = furthest({7, 0, -1, 0.0, 0.0}, {0, 0, -1, 0.0, 0.0});
+  EXPECT_EQ(now.sent_through, 7U);
+}
+
 TEST(ProductionCell, StartsNoJobWhoseFileHasChanged) {
   Cell cell;
   bringToIdle(cell);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "lamina/base/error.hpp"
 #include "support/toolpaths.hpp"
@@ -80,11 +81,39 @@ TEST(ResumePlace, KnowsAJobThatIsDone) {
   EXPECT_EQ(toText(placeOf(50.0, std::nullopt)), "all 50 mm of its beads are laid");
 }
 
+/// 50 mm that were written in metres, and read.
+TEST(ResumePlace, LaysNothingAgainForALastDigit) {
+  for (const double less_mm : {7.2e-15, 1e-6, 9e-4}) {
+    EXPECT_TRUE(placeOf(50.0 - less_mm, std::nullopt).isAllLaid()) << less_mm;
+    EXPECT_TRUE(placeOf(50.0 - less_mm, Point3(10, 0, 30)).isAllLaid()) << "lifted, " << less_mm;
+    EXPECT_TRUE(placeOf(45.0, Point3(10.0 - less_mm, 0, 0.4)).isAllLaid()) << less_mm;
+  }
+  EXPECT_FALSE(placeOf(50.0 - 2e-3, std::nullopt).isAllLaid());
+}
+
+TEST(ResumePlace, RefusesALengthThatNothingCanHave) {
+  for (const double laid_mm : {std::nan(""), std::numeric_limits<double>::infinity(), -0.5})
+    EXPECT_THROW(placeOf(laid_mm, std::nullopt), InvalidInput) << laid_mm;
+  try {
+    placeOf(-0.5, std::nullopt);
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "the length of beads reported as laid is -0.5 mm; expected 0 mm or more");
+  }
+}
+
 TEST(ResumePlace, StatesWhatIsNotKnown) {
   EXPECT_EQ(
       toText(placeOf(12.0, Point3(10, 7, 0.2))),
       "the nozzle came to rest on it after 17 mm of its beads, of 50 mm; whether the last bead was laid "
       "up to there is not known; it begins after 15 mm, on the way to layer 0, path 0, waypoint 2");
+}
+
+TEST(ResumePlace, IsStatedTheSameWhateverTheNoiseOfEncoders) {
+  const std::string text = toText(placeOf(12.0, Point3(10, 7.2, 0.2)));
+  EXPECT_NE(text.find("after 17.2 mm of its beads"), std::string::npos) << text;
+  EXPECT_NE(text.find("it begins after 15.2 mm"), std::string::npos) << text;
+  for (const double noise_mm : {-0.03, 0.0004, 0.02})
+    EXPECT_EQ(toText(placeOf(12.0, Point3(10, 7.2 + noise_mm, 0.2))), text) << noise_mm;
 }
 
 }  // namespace

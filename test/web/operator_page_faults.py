@@ -257,21 +257,21 @@ def check_resume_only_where_it_can_be_done(page, cell):
     page.script("document.getElementById('resume-back').click()")
     page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
 
-    def answers():
-        page.press("next")
-        page.wait(lambda: page.script("return document.getElementById('dialog').open"), "the question")
-        labels = page.script("return [...document.querySelectorAll('#dialog-buttons button')].map((each) => each.innerText)")
-        text = page.text("#dialog-text")
-        require(page.script("return document.activeElement.innerText") == "Go back", "the focus is on the way back")
-        page.script("document.querySelector('#dialog-buttons button').click()")
-        page.wait(lambda: not page.script("return document.getElementById('dialog').open"), "the question is closed")
-        return labels, text
-
-    cell.resume_refusal = "the machine has lost motions"
-    page.wait(lambda: "lost motions" in page.text("#state-detail"), "why it can only be discarded, before anything is pressed")
-    labels, text = answers()
-    require(labels == ["Go back", "Discard it"], f"a resume that would be refused is offered: {labels}")
-    require("lost motions" in text, f"the question does not say why: '{text}'")
+    # What stands against it may go by: the steps show it, and go on once it has.
+    place = {"name": "place", "state": "waits", "text": "the machine still moves"}
+    cell.resume_refusal, cell.resume_steps = "the machine still moves", [place]
+    page.wait(lambda: "still moves" in page.text("#state-detail"), "why it is not resumed, before anything is pressed")
+    require("only be discarded" not in page.text("#state-detail"), page.text("#state-detail"))
+    page.press("next")
+    page.wait(lambda: page.script("return document.getElementById('resume').open"), "the steps, whatever stands against it now")
+    require("still moves" in page.text("#resume-steps"), "the step does not say what it waits for")
+    page.script("document.getElementById('resume-start').click()")
+    require(page.script("return document.getElementById('resume').open"), "a resume that would be refused is started")
+    require(page.script("return document.getElementById('resume-discard').checkVisibility()"), "the job can be discarded")
+    cell.resume_refusal, cell.resume_steps = "", [{**place, "state": "person", "text": "it begins after 15.2 mm"}]
+    page.wait(lambda: page.script("return document.getElementById('resume-place').checkVisibility()"), "the place, once it is known")
+    page.script("document.getElementById('resume-back').click()")
+    page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
     require(cell.commands == [], f"going back has given {cell.commands}")
 
 
@@ -322,6 +322,27 @@ def check_resume_in_a_low_window(page, cell):
         page.press("resume-back")
         page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
     page.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def check_confirmed_place_with_noise(page, cell):
+    """What encoders report varies: the place stays confirmed. Another place, or one that is known otherwise, is looked at anew."""
+    rests = {"name": "place", "state": "person", "text": "the nozzle rests at 17.2 mm; it begins after 15.2 mm", "begin_mm": 15.24}
+    cell.state, cell.resume_refusal, cell.resume_steps = "Idle", "", [rests]
+    page.open()
+    page.press("next")
+    page.wait(lambda: page.script("return document.getElementById('resume').open"), "the steps")
+
+    def is_confirmed(step):
+        cell.resume_steps = [step]
+        page.wait(lambda: step["text"] in page.text("#resume-steps"), f"the place '{step['text']}'")
+        return page.script("return document.getElementById('resume-place').checked")
+
+    page.press("resume-place")
+    require(is_confirmed({**rests, "text": "the nozzle rests at 17.3 mm; it begins after 15.3 mm", "begin_mm": 15.26}), "noise withdraws it")
+    require(is_confirmed({**rests, "text": "the nozzle rests at 17.7 mm; it begins after 15.7 mm", "begin_mm": 15.73}), "noise withdraws it")
+    require(not is_confirmed({**rests, "text": "the nozzle rests at 17.8 mm; it begins after 15.8 mm", "begin_mm": 15.75}), "it crept away")
+    page.press("resume-place")
+    require(not is_confirmed({**rests, "text": "it is not known; it begins after 15.8 mm", "begin_mm": 15.75}), "known otherwise")
 
 
 def check_upload_pressed_twice(page, cell, folder):
@@ -406,6 +427,9 @@ def main():
                             (check_second_press, ()),
                             (check_resume_only_where_it_can_be_done, ()),
                             (check_resume_from_the_place_that_was_confirmed, ()), (check_resume_in_a_low_window, ()), (check_upload_pressed_twice, (folder,)),
+
+
+                            (check_resume_only_where_it_can_be_done, ()), (check_confirmed_place_with_noise, ()), (check_upload_pressed_twice, (folder,)),
                             (check_mesh_fields, (folder,)), (check_old_figures, ()),
                             (check_clock_set_back, ())):
             Handler.cell = Cell()

@@ -31,9 +31,9 @@ inline bool isAtRest(ExecutorPhase phase) {
 inline ExecutionProgress furthest(const ExecutionProgress& before, ExecutionProgress now) {
   if (now.taken_through < before.taken_through) {
     now.taken_through = before.taken_through;
-    now.sent_through = before.sent_through;
     now.layer = before.layer;
   }
+  now.sent_through = std::max(now.sent_through, before.sent_through);
   now.path_mm = std::max(now.path_mm, before.path_mm);
   now.deposited_mm3 = std::max(now.deposited_mm3, before.deposited_mm3);
   return now;

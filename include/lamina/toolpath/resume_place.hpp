@@ -47,6 +47,7 @@ struct ReportedProgress {
 /// the nozzle shows no such place, `overlap_mm` before the least that was laid by the report. Never before
 /// the bead begins.
 /// @param nozzle  its pose at rest, in the part frame [mm]; nothing if that is not known
+/// @throws InvalidInput if the reported length is not finite, or negative
 ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported,
                         const std::optional<Eigen::Isometry3d>& nozzle,
                         const ToolpathResumeSettings& settings);

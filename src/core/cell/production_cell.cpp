@@ -128,11 +128,14 @@ ProductionCell::ProductionCell(const UnitSettings& settings, const CellParts& pa
   is_part_on_plate_ = on_plate != counters.end() && on_plate->second > 0.0;
   const auto lost = counters.find(kLostMotionsOf);
   if (lost != counters.end()) lost_motions_of_ = static_cast<std::int64_t>(lost->second);
-  if (is_running_)
-    report_ = *seen;
-  else if (seen)
-    bystander_ = seen->phase;
   const auto open = journal_.open();
+  if (is_running_) {
+    report_ = *seen;
+    // A job that is resumed reports nothing yet while it is planned and approached: what was laid stays laid.
+    report_.progress = furthest(open->progress, seen->progress);
+  } else if (seen) {
+    bystander_ = seen->phase;
+  }
   if (open && !is_running_ && open->progress.taken_through > 0) is_part_on_plate_ = true;
   restoreAlarms(now);
   if (journal_.movedAside().empty()) return;

@@ -28,6 +28,9 @@ bool ResumePlace::isAllLaid() const { return begin_mm >= total_mm - kWhole; }
 ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported,
                         const std::optional<Eigen::Isometry3d>& nozzle,
                         const ToolpathResumeSettings& settings) {
+  if (!std::isfinite(reported.laid_mm) || reported.laid_mm < 0.0)
+    throw InvalidInput("the length of beads reported as laid is " + numberText(reported.laid_mm) +
+                       " mm; expected 0 mm or more");
   ResumePlace place;
   place.total_mm = beads.total();
   place.laid_mm = std::min(reported.laid_mm, place.total_mm);
@@ -38,6 +41,8 @@ ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported
     if (found) place.laid_mm = *found;
     place.unreported_mm3 = std::max(0.0, beads.volume(place.laid_mm) - beads.volume(reported.laid_mm));
   }
+  // Lengths in metres on their way here lose a last digit: nothing is left to lay for that.
+  if (place.laid_mm >= place.total_mm - kWhole) place.laid_mm = place.total_mm;
   // Of a toolpath that is handed over to its end, the controller runs the rest by itself.
   const bool is_known = place.is_found || place.laid_mm >= place.total_mm;
   const double least_mm = is_known ? place.laid_mm : std::max(0.0, place.laid_mm - reported.behind_mm);
@@ -55,7 +60,8 @@ void requireConfirmed(const ResumePlace& place, double begin_mm, const ToolpathR
 }
 
 std::string toText(const ResumePlace& place) {
-  const auto mm = [](double value) { return numberText(value) + " mm"; };
+  // What encoders report varies, and the place is the same.
+  const auto mm = [](double value) { return numberText(std::round(10.0 * value) / 10.0) + " mm"; };
   if (place.isAllLaid()) return "all " + mm(place.total_mm) + " of its beads are laid";
   const std::string known =
       place.is_found ? "the nozzle came to rest on it after " + mm(place.laid_mm) + " of its beads, of " +

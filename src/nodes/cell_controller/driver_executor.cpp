@@ -6,7 +6,6 @@
 
 #include "conversions.hpp"
 #include "driver_language.hpp"
-#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "service_call.hpp"
 
@@ -24,46 +23,29 @@ DriverExecutor::DriverExecutor(const ros::NodeHandle& node, Placement placement,
     : ActionExecutor(node, names::kDriveToolpath, driverLanguage(), std::move(report)),
       placement_(placement),
       place_(ros::NodeHandle(node).serviceClient<lamina_msgs::ResumePlace>(names::kResumePlace)),
-      refusal_(kUnanswered) {}
+      look_(kUnanswered) {}
 
-ExecutorTraits DriverExecutor::traits() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return {"waypoint", refusal_};
-}
+ExecutorTraits DriverExecutor::traits() const { return {"waypoint", look_.refusal()}; }
 
 void DriverExecutor::lookAtResume(const std::string& program, const ExecutionProgress& progress) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    std::string job = program + ' ' + numberText(progress.path_mm);
-    if (job != job_) {
-      refusal_ = kUnanswered;
-      outlook_ = {true, "", {}};
-      job_ = std::move(job);
-    }
-    if (std::exchange(is_asked_, true)) return;
-  }
-  looks_.give([this, program, laid_m = 1e-3 * progress.path_mm] {
+  const auto job = look_.lookAt(program, progress);
+  if (!job) return;
+  looks_.give([this, program, job = *job, laid_m = 1e-3 * progress.path_mm] {
     lamina_msgs::ResumePlace call;
     call.request.program = program;
     call.request.placement = nameOf(placement_);
     call.request.laid_length = laid_m;
     if (!callService(place_.getService(), call)) call.response.status.message = kUnanswered;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    refusal_ = call.response.status.message;
-    outlook_ = {true, call.response.text, {}};
-    if (refusal_.empty()) outlook_.begin_mm = toMillimetres(call.response.begin_length);
-    is_asked_ = false;
+    ResumeAnswer answer{call.response.status.message, {true, call.response.text}};
+    if (answer.refusal.empty()) answer.outlook.begin_mm = toMillimetres(call.response.begin_length);
+    look_.answer(job, std::move(answer));
   });
 }
 
-ResumeOutlook DriverExecutor::resumeOutlook() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return outlook_;
-}
+ResumeOutlook DriverExecutor::resumeOutlook() const { return look_.outlook(); }
 
 void DriverExecutor::confirmPlace(std::optional<double> begin_mm) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  confirmed_mm_ = begin_mm ? begin_mm : outlook_.begin_mm;
+  confirmed_mm_ = begin_mm ? begin_mm : look_.outlook().begin_mm;
 }
 
 lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) const {
@@ -71,12 +53,10 @@ lamina_msgs::DriveToolpathGoal DriverExecutor::goalOf(const StartOrder& order) c
   goal.program = order.program;
   goal.placement = nameOf(placement_);
   goal.execution = order.execution;
-  // Of which nothing was reported as handed over, nothing was laid.
-  goal.resume = order.start != ExecutionStart::Anew && order.progress.sent_through > 0;
+  goal.resume = order.start != ExecutionStart::Anew && ResumeLook::isOnItsBead(order.progress);
   if (goal.resume) {
     goal.laid_length = 1e-3 * order.progress.path_mm;
     goal.laid_volume = 1e-9 * order.progress.deposited_mm3;
-    const std::lock_guard<std::mutex> lock(mutex_);
     if (confirmed_mm_) goal.confirmed_length = {toMetres(*confirmed_mm_)};
   }
   return goal;

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "action_executor.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "messages.hpp"
+#include "resume/resume_look.hpp"
 
 namespace lamina {
 
@@ -34,12 +34,8 @@ class DriverExecutor final : public ActionExecutor<lamina_msgs::DriveToolpathAct
  private:
   Placement placement_;
   ros::ServiceClient place_;
-  mutable std::mutex mutex_;  ///< of what follows
-  ResumeOutlook outlook_{true, "", {}};
+  ResumeLook look_;
   std::optional<double> confirmed_mm_;  ///< as in `confirmPlace`
-  std::string refusal_;
-  std::string job_;        ///< program and progress that both are about
-  bool is_asked_ = false;  ///< and not answered
   // Last, so that it ends before what it uses.
   OrderThread looks_;
 };

@@ -68,6 +68,7 @@ void FollowedJob::begin(const StartOrder& order, double now_s, const ros::Time& 
   has_begun_ = false;
   has_run_ = false;
   last_ = {};
+  printed_ = {};
 }
 
 void FollowedJob::takeUp(std::uint64_t order) { is_taken_up_ = is_taken_up_ || order_ == order; }
@@ -121,11 +122,12 @@ ExecutorReport FollowedJob::restarted(ExecutorReport report) {
 
 std::optional<ExecutorReport> FollowedJob::end(std::uint64_t order, const JobEnd& end) {
   if (order_ != order) return std::nullopt;
-  order_.reset();
   // What was said last may be of the job before.
   const bool is_said = has_begun_ || language_.match == StateMatch::AnyJob;
+  // As of the order: without it what was printed before counts as well.
   ExecutorReport report = is_said ? reportOf(machine_) : ExecutorReport();
   report.order = order;
+  order_.reset();
   const bool is_done = end.has_succeeded && end.status && end.status->code == lamina_msgs::Status::OK;
   report.phase = is_done ? ExecutorPhase::Done : ExecutorPhase::Resting;
   report.alarm = end.status ? language_.alarm_of(*end.status) : 2202;

@@ -189,7 +189,7 @@ void DriveSession::measureLaid(double time_s) {
 void DriveSession::follow(const ros::Time& now) {
   if (given_up_at_) return;
   // By what the controller has reported where its clock counts: what was laid is not to be told too early.
-  measureLaid(std::min({jobTime(now), controllerTime(now), heardTime()}));
+  measureLaid(std::min({jobTime(now), controllerTime(now), heardTime(), off_s_}));
   const double now_s = jobTime(now);
   const double rest_s = feeder_.restTime();
   status_.time_s = std::clamp(now_s, 0.0, rest_s);
@@ -370,6 +370,7 @@ void DriveSession::brake(const ros::Time& now, const Failure& why, Lift lift) {
   status_.state = PackmlState::Aborting;
   status_.failure = why;
   const double now_s = jobTime(now);
+  off_s_ = std::min(off_s_, now_s);
   try {
     if (lift == Lift::Yes)
       feeder_.abort(now_s, {settings_.lift_mm, settings_.lift_mm_s}, model_);

@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -157,7 +158,9 @@ class DriveSession {
   std::optional<ros::Time> run_at_;  ///< time at which the planned motion ended
   double fed_s_ = 0.0;               ///< end of the chunks that were sent
   bool was_starved_ = false;
-  double laid_mm3_ = 0.0;        ///< volume of the laid beads as planned
+  double laid_mm3_ = 0.0;  ///< volume of the laid beads as planned
+  /// When an abort has switched the process off: the way to rest lays nothing [s].
+  double off_s_ = std::numeric_limits<double>::infinity();
   std::optional<MapWait> wait_;  ///< nothing if the motion is driven as planned
   bool is_left_ = false;         ///< whether the session was left for a plan
   std::optional<ros::Time> given_up_at_;

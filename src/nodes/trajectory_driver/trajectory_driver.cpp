@@ -94,7 +94,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
       process_io_(node, settings_.process_io),
       joints_(node, *model_),
       owner_watch_(node, settings.owner_grace_s),
-      resume_desk_(node, settings_, *model_, joints_),
+      resume_desk_(node, settings_, *model_, joints_, [this] { return is_driving_.load(); }),
       overrides_(node, settings_.feeder, owner_, [this] { return session(); }),
       controller_(node, *model_,
                   [this](const ControllerReport& report) {
@@ -231,26 +231,27 @@ DriveStatus TrajectoryDriver::drive(const lamina_msgs::DriveToolpathGoal& goal) 
 /// By the time that it is prepared the machine is to stand where it is to go to the start from.
 TrajectoryDriver::PreparedJob TrajectoryDriver::prepared(const MachineToolpath& placed, double from_mm,
                                                          Progress& progress) {
-  PreparedJob prepared{jobOf(placed, progress), std::nullopt};
+  PreparedJob prepared{jobOf(placed, progress), {}, std::nullopt};
   prepared.job.from_mm = from_mm;
-  const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
-  prepared.way = wayToStart(here, prepared.job, *model_, settings_, progress);
+  prepared.here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
+  prepared.way = wayToStart(prepared.here, prepared.job, *model_, settings_, progress);
   return prepared;
 }
 
 TrajectoryDriver::Driven TrajectoryDriver::drive(const PreparedJob& prepared, MapOfFirstLayer first_map) {
   const DriveJob& job = prepared.job;
   const std::string& id = job.placed.id;
-  resume_desk_.forget();
   if (!isDry()) part_markers_.begin(job.timed.run.toolpath());
   // However it ends, for the toolpath goes with the job.
   const std::shared_ptr<void> part_end(nullptr, [this](void*) { part_markers_.end(); });
   if (prepared.way) {
     const TimedPath& way = *prepared.way->motion;
     ROS_INFO("going to the start of %s: %.1f s", id.c_str(), way.duration());
+    resume_desk_.depart(prepared.here);
     DriveStatus status = run({way, id, PackmlState::Starting, nullptr, dry_.process(), 0.0}).status;
     if (status.state != PackmlState::Complete) return {std::move(status), std::nullopt};
   }
+  resume_desk_.forget();
   if (file_ && job.placed.id == file_->toolpathId()) file_->follow(&job.timed.run.divided);
   const std::shared_ptr<void> file_end(nullptr, [this](void*) {
     if (file_) file_->follow(nullptr);

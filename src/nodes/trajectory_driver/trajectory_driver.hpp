@@ -56,6 +56,7 @@ class TrajectoryDriver {
   /// A job, and the approach to it.
   struct PreparedJob {
     DriveJob job;
+    JointValues here;             ///< where the machine stands
     std::optional<Approach> way;  ///< nothing if the machine is at the start
   };
   /// How a motion ended.
@@ -134,6 +135,8 @@ class TrajectoryDriver {
   ProcessIoWatch process_io_;
   PresentJoints joints_;
   OwnerWatch owner_watch_;
+  std::atomic<bool> is_driving_{false};
+  std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   ResumeDesk resume_desk_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the controller
@@ -142,8 +145,6 @@ class TrajectoryDriver {
   std::optional<HeardMap> map_;  ///< the last map received
   DriveStatus status_;
 
-  std::atomic<bool> is_driving_{false};
-  std::atomic<bool> is_abort_requested_{false};  ///< of the goal
   // State of the goal, used by the thread that drives.
   std::string job_;
   std::optional<DrivenFile> file_;  ///< none if a published toolpath is driven

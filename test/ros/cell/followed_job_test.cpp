@@ -126,15 +126,16 @@ TEST(FollowedJob, TakesNoStateOfTheJobBeforeForItsOwn) {
   EXPECT_FALSE(job.isAwaited());
 }
 
+lamina_msgs::PrintProgress printed(double stamp_s, const std::string& job) {
+  lamina_msgs::PrintProgress message;
+  message.header.stamp = ros::Time(stamp_s);
+  message.job = job;
+  message.laid_length = 1.25;
+  message.laid_volume = 3e-6;
+  return message;
+}
+
 TEST(FollowedJob, HasWhatIsPrintedOfItAndOfNoOther) {
-  const auto printed = [](double stamp_s, const std::string& job) {
-    lamina_msgs::PrintProgress message;
-    message.header.stamp = ros::Time(stamp_s);
-    message.job = job;
-    message.laid_length = 1.25;
-    message.laid_volume = 3e-6;
-    return message;
-  };
   FollowedJob job = ordered();
   for (const auto& other : {printed(999.9, kFile), printed(1000.1, "/cell/artefacts/other")}) {
     job.hear(other);
@@ -145,6 +146,35 @@ TEST(FollowedJob, HasWhatIsPrintedOfItAndOfNoOther) {
   }
   job.hear(printed(1000.3, kFile));
   const auto report = job.hear(stateAt(State::EXECUTE, 1000.4, 2));
+  ASSERT_TRUE(report);
+  EXPECT_DOUBLE_EQ(report->progress.path_mm, 1250.0);
+  EXPECT_DOUBLE_EQ(report->progress.deposited_mm3, 3000.0);
+}
+
+/// The same file is printed again, and fails before its first bead.
+TEST(FollowedJob, EndsWithNothingThatWasPrintedByTheJobBefore) {
+  for (const bool is_late : {false, true}) {
+    FollowedJob job(driverLanguage());
+    job.begin({kFile, ExecutionStart::Anew, 3, "11@1"}, 4.0, ros::Time(900.0));
+    job.hear(stateAt(State::EXECUTE, 900.1, 2));
+    if (!is_late) job.hear(printed(999.9, kFile));
+    ASSERT_TRUE(job.end(3, endWith(Status::OK, "", 9)));
+    job.begin({kFile, ExecutionStart::Anew, 4, "12@1"}, 5.0, kOrdered);
+    if (is_late) job.hear(printed(999.9, kFile));
+    job.hear(stateAt(State::STARTING, 1000.1, 0));
+    const auto report = job.end(4, endWith(Status::DEVICE_ERROR, "process_io is not ready", 0));
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->order, 4U);
+    EXPECT_EQ(report->progress.path_mm, 0.0) << is_late;
+    EXPECT_EQ(report->progress.deposited_mm3, 0.0) << is_late;
+  }
+}
+
+TEST(FollowedJob, EndsWithWhatWasPrintedOfIt) {
+  FollowedJob job = ordered();
+  job.hear(stateAt(State::EXECUTE, 1000.1, 2));
+  job.hear(printed(1000.2, kFile));
+  const auto report = job.end(4, endWith(Status::DISCONNECTED, "the controller has been silent"));
   ASSERT_TRUE(report);
   EXPECT_DOUBLE_EQ(report->progress.path_mm, 1250.0);
   EXPECT_DOUBLE_EQ(report->progress.deposited_mm3, 3000.0);

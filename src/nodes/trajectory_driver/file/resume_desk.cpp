@@ -5,11 +5,14 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "file/driven_file.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 #include "names.hpp"
 #include "status.hpp"
 
@@ -38,12 +41,19 @@ ReportedProgress reportedProgress(const DriverSettings& settings, const LaidBead
 
 }  // namespace
 
-ResumeDesk::ResumeDesk(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
-                       const PresentJoints& joints)
+ResumeDesk::ResumeDesk(const ros::NodeHandle& node, const DriverSettings& settings,
+                       const KinematicModel& model, const PresentJoints& joints,
+                       std::function<bool()> is_driving)
     : settings_(settings),
       model_(model),
       joints_(joints),
-      server_(node.advertiseService(names::kResumePlace, &ResumeDesk::onAsked, this)) {}
+      is_driving_(std::move(is_driving)),
+      spinner_(1, &queue_) {
+  ros::NodeHandle own(node);
+  own.setCallbackQueue(&queue_);
+  server_ = own.advertiseService(names::kResumePlace, &ResumeDesk::onAsked, this);
+  spinner_.start();
+}
 
 void ResumeDesk::depart(const JointValues& here) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -104,6 +114,8 @@ std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathG
   }
   if (goal.program.empty() || !goal.dry.empty() || !from.empty())
     throw InvalidInput("resume is asked for; expected a program, no dry run and no from_waypoint with it");
+  if (!std::isfinite(goal.laid_volume) || goal.laid_volume < 0.0)
+    throw InvalidInput("laid_volume is " + numberText(goal.laid_volume) + " m3; expected 0 m3 or more");
   requireResumable();
   ResumePlace place = placeBy(beads, placed.bed_from_part, goal.laid_length, settings_.controller_wait_s);
   if (!goal.confirmed_length.empty())
@@ -112,25 +124,37 @@ std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathG
   return place;
 }
 
+ResumeDesk::FileKey ResumeDesk::keyOf(const lamina_msgs::ResumePlace::Request& request) {
+  // A file that cannot be looked at is refused as it is read.
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(request.program, error);
+  return {request.placement + ' ' + request.program, size,
+          std::filesystem::last_write_time(request.program, error)};
+}
+
+std::shared_ptr<const ResumeDesk::ReadFile> ResumeDesk::fileOf(
+    const lamina_msgs::ResumePlace::Request& request) {
+  FileKey key = keyOf(request);
+  if (read_ && read_->key == key) return read_;
+  lamina_msgs::DriveToolpathGoal goal;
+  goal.program = request.program;
+  goal.placement = request.placement;
+  const MachineToolpath placed = toolpathOfFile(goal, settings_.machine);
+  read_ = std::make_shared<const ReadFile>(
+      ReadFile{std::move(key), placed.bed_from_part, LaidBeads(placed.toolpath)});
+  return read_;
+}
+
 bool ResumeDesk::onAsked(lamina_msgs::ResumePlace::Request& request,
                          lamina_msgs::ResumePlace::Response& response) {
   try {
     requireResumable();
-    const std::string name = request.placement + ' ' + request.program;
-    std::optional<ReadFile> file;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (read_ && read_->name == name) file = read_;
-    }
-    if (!file) {
-      lamina_msgs::DriveToolpathGoal goal;
-      goal.program = request.program;
-      goal.placement = request.placement;
-      const MachineToolpath placed = toolpathOfFile(goal, settings_.machine);
-      file = ReadFile{name, placed.bed_from_part, LaidBeads(placed.toolpath)};
-      const std::lock_guard<std::mutex> lock(mutex_);
-      read_ = file;
-    }
+    if (is_driving_())
+      throw DeviceError(
+          "a job still moves the machine, or holds it; expected it at rest, where the job that was cut off "
+          "ended");
+    rest(0.0);  // a large file is not read for nothing
+    const std::shared_ptr<const ReadFile> file = fileOf(request);
     const ResumePlace place = placeBy(file->beads, file->bed_from_part, request.laid_length, 0.0);
     response.is_found = place.is_found;
     response.begin_length = toMetres(place.begin_mm);

@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/spinner.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -18,18 +24,20 @@
 
 namespace lamina {
 
-/// Where jobs that were cut off are resumed, by where the machine came to rest; the service resume_place.
-/// Its calls may come from several threads.
+/// Where jobs that were cut off are resumed, by where the machine came to rest; the service resume_place. It
+/// answers in a thread of its own, as large files take their time. All other calls may come from several
+/// threads.
 class ResumeDesk {
  public:
   /// All that is referred to must outlive it.
-  ResumeDesk(ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
-             const PresentJoints& joints);
+  /// @param is_driving  whether a job is under way, in which nothing is asked for
+  ResumeDesk(const ros::NodeHandle& node, const DriverSettings& settings, const KinematicModel& model,
+             const PresentJoints& joints, std::function<bool()> is_driving);
 
-  /// The machine is moved by hand from where it rests: there the last job came to rest, unless it was moved
-  /// before.
+  /// The machine is moved from where it rests, by hand or to the start of a job: there the last job came to
+  /// rest, unless it was moved before.
   void depart(const JointValues& here);
-  /// A job moves the machine.
+  /// A job moves the machine, and has come to its start.
   void forget();
 
   /// The length of beads [mm] that a goal leaves out, and with `resume` all that is known of it in the log.
@@ -40,11 +48,22 @@ class ResumeDesk {
                                      const MachineToolpath& placed) const;
 
  private:
-  struct ReadFile {
+  /// Another one of the same name differs in size or time.
+  struct FileKey {
     std::string name;  ///< with its placement
+    std::uintmax_t size = 0;
+    std::filesystem::file_time_type written;
+    bool operator==(const FileKey& other) const {
+      return name == other.name && size == other.size && written == other.written;
+    }
+  };
+  struct ReadFile {
+    FileKey key;
     Eigen::Isometry3d bed_from_part;
     LaidBeads beads;
   };
+  static FileKey keyOf(const lamina_msgs::ResumePlace::Request& request);
+  std::shared_ptr<const ReadFile> fileOf(const lamina_msgs::ResumePlace::Request& request);
   bool onAsked(lamina_msgs::ResumePlace::Request& request, lamina_msgs::ResumePlace::Response& response);
   ResumePlace placeBy(const LaidBeads& beads, const Eigen::Isometry3d& bed_from_part, double laid_m,
                       double wait_s) const;
@@ -54,10 +73,14 @@ class ResumeDesk {
   const DriverSettings& settings_;
   const KinematicModel& model_;
   const PresentJoints& joints_;
-  mutable std::mutex mutex_;           ///< of what follows
-  std::optional<JointValues> rested_;  ///< before it was moved by hand
-  std::optional<ReadFile> read_;       ///< that was asked for last
+  std::function<bool()> is_driving_;
+  mutable std::mutex mutex_;              ///< of what follows
+  std::optional<JointValues> rested_;     ///< before it was moved
+  std::shared_ptr<const ReadFile> read_;  ///< that was asked for last; of the service's thread alone
+  ros::CallbackQueue queue_;
   ros::ServiceServer server_;
+  // Last, so that its thread ends before what it uses.
+  ros::AsyncSpinner spinner_;
 };
 
 }  // namespace lamina
