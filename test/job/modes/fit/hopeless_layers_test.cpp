@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <vector>
 
 #include "counted_checks.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
@@ -31,7 +33,13 @@ struct UprightHead {
   void leaveOutAtMost(double low_beads, const Toolpath& stack);
 
   std::optional<HopelessLayers> hopeless(const Toolpath& planned) const {
-    return hopelessLayers(planned, {check.model(), request.bed_from_part, job.settings}, check);
+    const auto beyondReach = [](const MachineCheck& found) {
+      std::vector<Finding> faults;
+      std::copy_if(found.faults.begin(), found.faults.end(), std::back_inserter(faults),
+                   [](const Finding& fault) { return fault.what != toString(JointFault::Singular); });
+      return faults;
+    };
+    return hopelessLayers(planned, {check.model(), request.bed_from_part, job.settings}, check, beyondReach);
   }
 };
 
@@ -125,6 +133,22 @@ TEST(HopelessLayers, HaveHopeWhereSoMuchMayBeLeftOut) {
   plan.job.settings.volumetric.largest_left_out_percent = 100.0;
   EXPECT_FALSE(plan.hopeless(wallAndLowBeads(24)).has_value());
   EXPECT_EQ(plan.progress.checks(), 2U);
+}
+
+// One bead ends 1000 mm beside the bed: raising is not tried, however much may be left out.
+TEST(HopelessLayers, OneBeadOutOfReachIsEnough) {
+  UprightHead plan;
+  plan.job.settings.volumetric.largest_left_out_percent = 100.0;
+  Toolpath stack = wallAndLowBeads(0);
+  stack.layers[10].paths.back().points.back().x() = 1000.0;
+  const std::optional<HopelessLayers> found = plan.hopeless(stack);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->is_out_of_reach);
+  EXPECT_EQ(plan.progress.checks(), 1U);
+  EXPECT_EQ(found->layers, 5U);
+  ASSERT_FALSE(found->check.faults.empty());
+  EXPECT_EQ(found->check.faults.front().at.layer, 10U);
+  EXPECT_TRUE(found->check.collisions.empty());
 }
 
 // A singular place takes no room: the nozzle turns off the bead there.

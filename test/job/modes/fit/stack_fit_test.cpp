@@ -160,6 +160,23 @@ TEST(StackFit, IsRefusedByPlaceAfterChecksOfSomeLayers) {
   EXPECT_EQ(plan.progress.checks(), 2U) << "some layers, as planned and as raised";
 }
 
+TEST(StackFit, IsRefusedAfterOneCheckOfSomeLayersWhereAPlaceIsOutOfReach) {
+  TiltingHeadPlan plan;
+  Toolpath planned = lowBeadsBesideAHighOne();
+  planned.layers[2].paths.back().points.front().x() = -1000.0;
+  try {
+    plan.fit(planned);
+    FAIL() << "not refused";
+  } catch (const Unreachable& refusal) {
+    const std::string text = refusal.what();
+    EXPECT_EQ(text.rfind("layer 2, path ", 0), 0U) << text;
+    EXPECT_NE(text.find("in 2 of 4 layers, the only ones that were looked at: no leaning less"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_EQ(plan.progress.checks(), 1U);
+}
+
 class FittedStack : public testing::Test {
  protected:
   FittedStack() {

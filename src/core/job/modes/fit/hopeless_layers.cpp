@@ -113,19 +113,30 @@ class LayersTried {
 struct LeastHindered {
   MachineCheck check;
   double hindered_mm3 = std::numeric_limits<double>::infinity();
+  std::vector<Finding> unmendable;  ///< as planned; nothing is raised then
 };
 
-LeastHindered leastHindered(const Toolpath& planned, const std::vector<LayerRange>& ranges,
-                            const Toolpath& beads, const RaisingSite& site, const PlanCheck& check) {
+/// Some layers of a stack.
+struct LayerGroup {
+  std::vector<LayerRange> ranges;
+  Toolpath beads;
+};
+
+LeastHindered leastHindered(const Toolpath& planned, const LayerGroup& group, const RaisingSite& site,
+                            const PlanCheck& check, const UnmendableFaults& unmendable) {
   LeastHindered least;
   const auto checked = [&](const Toolpath& toolpath) {
-    MachineCheck found = check.of({toolpath, ranges});
-    const double hindered_mm3 = hinderedVolume(found, beads);
-    if (hindered_mm3 < least.hindered_mm3) least = {onBeads(found, beads), hindered_mm3};
+    MachineCheck found = check.of({toolpath, group.ranges});
+    const double hindered_mm3 = hinderedVolume(found, group.beads);
+    if (hindered_mm3 < least.hindered_mm3) {
+      least.check = onBeads(found, group.beads);
+      least.hindered_mm3 = hindered_mm3;
+    }
     return found;
   };
-  checked(planned);
-  if (least.hindered_mm3 > 0.0) raiseToolAxes(planned, site, checked);
+  least.unmendable = unmendable(checked(planned));
+  if (least.unmendable.empty() && least.hindered_mm3 > 0.0)
+    raiseToolAxes(planned, site, checked, RaiseGoal::Fewest);
   return least;
 }
 
@@ -146,23 +157,29 @@ double hinderedVolume(const MachineCheck& check, const Toolpath& beads) {
 }
 
 std::optional<HopelessLayers> hopelessLayers(const Toolpath& planned, const RaisingSite& site,
-                                             const PlanCheck& check) {
+                                             const PlanCheck& check, const UnmendableFaults& unmendable) {
   const double deposited_mm3 = totals(planned).deposited_mm3;
   HopelessLayers found;
   found.most_mm3 = 0.01 * site.settings.volumetric.largest_left_out_percent * deposited_mm3;
   LayersTried tried(planned.layers.size());
-  for (std::size_t group = 0; group < kMostGroups; ++group) {
-    const std::vector<LayerRange> ranges = group == 0 ? tried.spread() : tried.nearHindered();
-    if (ranges.empty()) break;
-    const Toolpath beads = beadsOf(planned, ranges);
-    LeastHindered least = leastHindered(planned, ranges, beads, site, check);
+  for (std::size_t i = 0; i < kMostGroups; ++i) {
+    LayerGroup group{i == 0 ? tried.spread() : tried.nearHindered(), {}};
+    if (group.ranges.empty()) break;
+    group.beads = beadsOf(planned, group.ranges);
+    LeastHindered least = leastHindered(planned, group, site, check, unmendable);
+    found.layers += group.ranges.size();
+    if (!least.unmendable.empty()) {
+      found.is_out_of_reach = true;
+      found.check = {};
+      found.check.faults = std::move(least.unmendable);
+      return found;
+    }
     tried.add(least.check);
-    found.layers += ranges.size();
     found.hindered_mm3 += least.hindered_mm3;
     append(std::move(least.check.faults), found.check.faults);
     append(std::move(least.check.collisions), found.check.collisions);
     if (found.hindered_mm3 > found.most_mm3) return inOrder(std::move(found));
-    const double fair_mm3 = group == 0 ? found.most_mm3 * totals(beads).deposited_mm3 / deposited_mm3 : 0.0;
+    const double fair_mm3 = i == 0 ? found.most_mm3 * totals(group.beads).deposited_mm3 / deposited_mm3 : 0.0;
     if (least.hindered_mm3 <= fair_mm3) break;
   }
   return std::nullopt;

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "job/joint_program.hpp"
 #include "job/modes/fit/hopeless_layers.hpp"
@@ -37,14 +40,18 @@ bool isLeaning(const Toolpath& toolpath, const WaypointIndex& at, const Eigen::I
   return jet.z() > -std::cos(kSettledRad);
 }
 
-/// Whether all that is at fault are joints that turn too far beside a singularity, or are beyond their limits
-/// where the tool axis leans: less lean, as near the bed, may bring them back. More room changes nothing
-/// where a place is out of reach.
-bool isMendable(const MachineCheck& check, const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
-  return std::all_of(check.faults.begin(), check.faults.end(), [&](const Finding& fault) {
-    return isOf(JointFault::Singular, fault) ||
-           (isOf(JointFault::OutOfLimits, fault) && isLeaning(toolpath, fault.at, bed_from_part));
-  });
+/// Faults but joints that turn too far beside a singularity, or are beyond their limits where the tool axis
+/// leans: less lean, as near the bed, may bring these back. More room changes nothing where a place is out of
+/// reach.
+std::vector<Finding> unmendableFaults(const MachineCheck& check, const Toolpath& toolpath,
+                                      const Eigen::Isometry3d& bed_from_part) {
+  std::vector<Finding> unmendable;
+  std::copy_if(
+      check.faults.begin(), check.faults.end(), std::back_inserter(unmendable), [&](const Finding& fault) {
+        return !isOf(JointFault::Singular, fault) &&
+               !(isOf(JointFault::OutOfLimits, fault) && isLeaning(toolpath, fault.at, bed_from_part));
+      });
+  return unmendable;
 }
 
 bool isBeyondLimits(const MachineCheck& check) {
@@ -57,18 +64,29 @@ bool turnsTooFar(const MachineCheck& check) {
                      [](const Finding& fault) { return isOf(JointFault::Singular, fault); });
 }
 
-[[noreturn]] void refuse(const HopelessLayers& hopeless, std::size_t layers, const KinematicModel& model) {
+std::string textOf(const HopelessLayers& hopeless, std::size_t layers) {
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      ", in %zu of %zu layers, the only ones that were looked at: %.4g mm³ of beads lead there, however far "
-      "tool axes are raised; expected at most %.4g mm³ in the whole part "
-      "(volumetric.largest_left_out_percent)",
-      hopeless.layers, layers, hopeless.hindered_mm3, hopeless.most_mm3);
+  if (hopeless.is_out_of_reach)
+    std::snprintf(text, sizeof text,
+                  ", in %zu of %zu layers, the only ones that were looked at: no leaning less and no leaving "
+                  "out of beads mends that",
+                  hopeless.layers, layers);
+  else
+    std::snprintf(text, sizeof text,
+                  ", in %zu of %zu layers, the only ones that were looked at: %.4g mm³ of beads lead there, "
+                  "however far "
+                  "tool axes are raised; expected at most %.4g mm³ in the whole part "
+                  "(volumetric.largest_left_out_percent)",
+                  hopeless.layers, layers, hopeless.hindered_mm3, hopeless.most_mm3);
+  return text;
+}
+
+[[noreturn]] void refuse(const HopelessLayers& hopeless, std::size_t layers, const KinematicModel& model) {
+  const std::string text = textOf(hopeless, layers);
   try {
     requireClear(hopeless.check, model);
   } catch (const Unreachable& refusal) {
-    throw Unreachable(refusal.what() + std::string(text));
+    throw Unreachable(refusal.what() + text);
   }
   throw Unreachable(text);
 }
@@ -86,11 +104,13 @@ class StackFitting {
 
   StackFit fit(Toolpath planned) {
     const RaisingSite site{check_.model(), request_.bed_from_part, request_.job.settings};
-    if (const std::optional<HopelessLayers> hopeless = hopelessLayers(planned, site, check_))
+    const auto unmendable = [&](const MachineCheck& check) {
+      return unmendableFaults(check, planned, request_.bed_from_part);
+    };
+    if (const std::optional<HopelessLayers> hopeless = hopelessLayers(planned, site, check_, unmendable))
       refuse(*hopeless, planned.layers.size(), check_.model());
     found_ = checked(planned);
-    if (found_.isClear() || !isMendable(found_, planned, request_.bed_from_part))
-      return {std::move(planned), {}};
+    if (found_.isClear() || !unmendable(found_).empty()) return {std::move(planned), {}};
     fitted_.toolpath = planned;
     if (turnsTooFar(found_)) settle();
     if (!found_.collisions.empty() || isBeyondLimits(found_)) raise();
