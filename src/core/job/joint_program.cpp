@@ -171,28 +171,6 @@ CheckedRun raisedRun(const CheckedMachine& machine, const SliceJob& job, SlicedP
   return {*std::move(last), std::move(raised.check)};
 }
 
-/// What may keep a machine from running into something, for people.
-std::string remediesFor(const SliceJob& job, const std::string& mode) {
-  std::vector<std::string> remedies = {"another machine (machine.name)"};
-  if (mode == "volumetric") {
-    remedies.emplace_back("a part that is cut off higher (volumetric.sink_mm)");
-    remedies.emplace_back("layers that tilt less (volumetric.max_tilt_deg)");
-  }
-  if (mode == "heightfield") remedies.emplace_back("layers that slope less (heightfield.max_slope_deg)");
-  if (hasPlaneLayers(mode)) {
-    remedies.emplace_back("a tool axis that leans less (orientation.*)");
-    if (!job.settings.clearance.raises_tool_axis)
-      remedies.emplace_back("or only where there is room (clearance.raise_tool_axis)");
-  } else {
-    if (canTurnToolAxis(buildSpaceOf(job.settings.machine)))
-      remedies.emplace_back(
-          "leaving out more of the beads that the head has no room for "
-          "(volumetric.largest_left_out_percent)");
-    remedies.emplace_back("another mode (slicing.mode auto or planar)");
-  }
-  return "; try " + listed(remedies);
-}
-
 /// @throws Unreachable as `requireRunnable` and `requireClear`, with what to try
 void requireClearFor(const SliceJob& job, const std::string& mode, const CheckedRun& checked,
                      const KinematicModel& model) {
@@ -382,6 +360,27 @@ bool isRefusedUnlessClear(const SliceJob& job) {
       return isProgram(job) || statesPoses(job);
   }
   return false;
+}
+
+std::string remediesFor(const SliceJob& job, const std::string& mode) {
+  std::vector<std::string> remedies = {"another machine (machine.name)"};
+  if (mode == "volumetric") {
+    remedies.emplace_back("a part that is cut off higher (volumetric.sink_mm)");
+    remedies.emplace_back("layers that tilt less (volumetric.max_tilt_deg)");
+  }
+  if (mode == "heightfield") remedies.emplace_back("layers that slope less (heightfield.max_slope_deg)");
+  if (hasPlaneLayers(mode)) {
+    remedies.emplace_back("a tool axis that leans less (orientation.*)");
+    if (!job.settings.clearance.raises_tool_axis)
+      remedies.emplace_back("or only where there is room (clearance.raise_tool_axis)");
+  } else {
+    if (canTurnToolAxis(buildSpaceOf(job.settings.machine)))
+      remedies.emplace_back(
+          "leaving out more of the beads that the head has no room for "
+          "(volumetric.largest_left_out_percent)");
+    remedies.emplace_back("another mode (slicing.mode auto or planar)");
+  }
+  return "; try " + listed(remedies);
 }
 
 std::string noteOnUnchecked(const SliceJob& job, const std::string& mode) {

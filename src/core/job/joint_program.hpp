@@ -33,6 +33,11 @@ JointPathSettings jointsOf(const SliceJob& job, const KinematicModel& model);
 /// for it.
 bool isRefusedUnlessClear(const SliceJob& job);
 
+/// What may keep a machine from running into something, for people, to follow what it would run into:
+/// "; try another machine (machine.name), ...".
+/// @param mode  in which the job was sliced
+std::string remediesFor(const SliceJob& job, const std::string& mode);
+
 /// Note on a job whose nozzle turns: that collisions of the machine were not checked, and how to check them.
 /// Empty if the job is checked before it is written, nothing is written, or `clearance.need` is `never`.
 /// @param mode  in which the job was sliced

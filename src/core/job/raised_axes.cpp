@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/angle.hpp"
@@ -67,12 +69,17 @@ double HeadOverBed::greatestLeanDeg(double tip_mm, double tolerance_mm) const {
   return std::max(0.0, static_cast<double>(deeper - depth_mm_.begin()) - 1.0);
 }
 
-constexpr int kMostRaises = 8;  // rounds; a lean is gone after four
+constexpr int kMostRaises = 8;    // rounds; a lean is gone after four
+constexpr int kMostWithMore = 2;  // rounds in a row that leave more findings than one before
+
+std::size_t findings(const RaisedToolpath& raised) {
+  return raised.check.faults.size() + raised.check.collisions.size();
+}
 
 }  // namespace
 
 RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
-                             const std::function<MachineCheck(const Toolpath&)>& check) {
+                             const std::function<MachineCheck(const Toolpath&)>& check, RaiseGoal goal) {
   RaiseLimits limits;
   limits.up = site.bed_from_part.linear().transpose() * Point3::UnitZ();
   limits.most_deg = site.settings.orientation.limits.max_off_normal_deg;
@@ -81,19 +88,26 @@ RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
   lean.limit([&](const Point3& tip) {
     return head.greatestLeanDeg((site.bed_from_part * tip).z(), site.settings.clearance.tolerance_mm);
   });
-  RaisedToolpath raised;
-  raised.toolpath = lean.isChanged() ? lean.toolpath() : wanted;
-  raised.check = check(raised.toolpath);
-  for (int round = 0; round < kMostRaises && !raised.check.isClear(); ++round) {
+  const auto checked = [&](Toolpath toolpath) {
+    MachineCheck found = check(toolpath);
+    return RaisedToolpath{std::move(toolpath), std::move(found), lean.raised(), lean.least()};
+  };
+  RaisedToolpath raised = checked(lean.isChanged() ? lean.toolpath() : wanted);
+  std::optional<RaisedToolpath> fewest;  // while the rounds after it leave more
+  int more = 0;                          // of these
+  for (int round = 0; round < kMostRaises && more < kMostWithMore && !raised.check.isClear(); ++round) {
     for (const Finding& finding : raised.check.faults) lean.raiseAt(finding.at);
     for (const Finding& finding : raised.check.collisions) lean.raiseAt(finding.at);
     if (!lean.isChanged()) break;
-    raised.toolpath = lean.toolpath();
-    raised.check = check(raised.toolpath);
+    RaisedToolpath further = checked(lean.toolpath());
+    if (goal == RaiseGoal::Fewest) {
+      more = findings(further) > findings(fewest ? *fewest : raised) ? more + 1 : 0;
+      if (more == 0) fewest.reset();
+      if (more == 1) fewest = std::move(raised);
+    }
+    raised = std::move(further);
   }
-  raised.waypoints = lean.raised();
-  raised.least_kept = lean.least();
-  return raised;
+  return fewest ? *std::move(fewest) : raised;
 }
 
 std::string noteOnRaised(const RaisedToolpath& raised) {

@@ -29,13 +29,21 @@ struct RaisedToolpath {
   double least_kept = 1.0;    ///< least share of the wanted lean that is kept
 };
 
+/// Which toolpath raising results in if something is found in every round.
+enum class RaiseGoal {
+  Clear,   ///< that of the last round
+  Fewest,  ///< that of the round with the fewest findings, after which two rounds that leave more are the
+           ///< last
+};
+
 /// Raises tool axes towards upright: first to the greatest lean at which the head is clear of the bed, then,
 /// after each check, where the machine would run into something or cannot get there, as long as a lean
-/// decreases.
+/// decreases, for at most eight rounds.
 /// @param check  finds what the machine cannot run of a toolpath
 /// @throws as `check`; InvalidConfig as `linkBodies`
 RaisedToolpath raiseToolAxes(const Toolpath& wanted, const RaisingSite& site,
-                             const std::function<MachineCheck(const Toolpath&)>& check);
+                             const std::function<MachineCheck(const Toolpath&)>& check,
+                             RaiseGoal goal = RaiseGoal::Clear);
 
 /// A sentence on how many tool axes lean less, and by how much.
 std::string noteOnRaised(const RaisedToolpath& raised);

@@ -61,6 +61,16 @@ TEST(GrowthGauge, OverhangIsLoweredUntilLayersAreThinEnough) {
   EXPECT_NEAR(std::exp((0.5 * M_PI - lowered) * std::tan(lowered)), 2.0, 1e-9);
 }
 
+// Layers of one thickness tilt as their paths lean.
+TEST(GrowthGauge, OfOneThicknessIsTheLengthOfThePath) {
+  const double overhang = overhangWithin(toRadians(25.0), 1.0);
+  EXPECT_EQ(overhang, 0.0);
+  const GrowthGauge gauge({overhang, 1.0, toRadians(80.0)});
+  EXPECT_NEAR(gauge.cost({3.0, 0.0, 4.0}), 5.0, 1e-12);
+  EXPECT_NEAR(gauge.cost({4.0, 3.0, 1.0}), std::sqrt(26.0), 1e-12);
+  EXPECT_TRUE(std::isinf(gauge.cost({1.0, 0.0, 0.0}))) << "beyond the greatest tilt";
+}
+
 struct RandomGauge {
   double overhang_deg;
   GrowthGauge gauge;

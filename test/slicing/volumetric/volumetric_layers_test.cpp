@@ -321,6 +321,60 @@ TEST(VolumetricLayers, RefuseWhatLayersLeaveOpen) {
   EXPECT_EQ(refusalOf(test::openingFrustum(60.0, 6.0), usualRequest(0.8)), "");
 }
 
+// A bar of 0.6 mm over a stem, in layers that tilt by 30 deg and are twice as thick as 0.4 mm there: the
+// piece of a layer in the bar is 1.2 mm long, and hangs beyond the one before over more than half of it.
+TEST(VolumetricLayers, RefuseAPieceThatRestsByLessThanHalf) {
+  VolumetricRequest request = usualRequest(0.2);
+  request.slicing.layer_height_mm = 0.4;
+  request.slicing.first_layer_height_mm = 0.4;
+  request.bead_mm = 0.2;
+  request.settings.max_overhang_deg = 60.0;
+  request.settings.overhang_used_deg = 60.0;
+  request.settings.max_thickness = 4.0;
+  request.settings.largest_pendant_percent = 100.0;
+  request.settings.largest_unsupported_percent = 100.0;
+  request.settings.largest_uneven_percent = 100.0;
+  const Mesh bar = test::lyingPrism(
+      {{{-2, 0}, {2, 0}, {2, 6}, {12, 6}, {12, 6.6}, {-12, 6.6}, {-12, 6}, {-2, 6}}, {}}, 6.0);
+  const std::string refusal = refusalOf(bar, request);
+  EXPECT_NE(refusal.find("rests on what is deposited before it by "), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("expected at least 50 %"), std::string::npos) << refusal;
+  double x = 0.0, z = 0.0, percent = 0.0;
+  const std::size_t at = refusal.find(" at (");
+  ASSERT_NE(at, std::string::npos) << refusal;
+  ASSERT_EQ(
+      std::sscanf(refusal.c_str() + at, " at (%lf, %*f, %lf) mm rests on what is deposited before it by %lf",
+                  &x, &z, &percent),
+      3)
+      << refusal;
+  EXPECT_LT(percent, 50.0);
+  EXPECT_GT(std::abs(x), 2.0) << "in the bar";
+  EXPECT_GE(z, 5.9) << "in the bar";
+}
+
+// Four pins that stand on 2 mm² in all, across which each layer has four pieces of 0.36 mm²: less than a
+// bead's square each.
+TEST(VolumetricLayers, RefuseAPartInWhichNoLayerHasRoomForABead) {
+  Mesh pins;
+  for (const double y : {0.0, 4.0, 8.0, 12.0}) {
+    Mesh pin = makePart("cylinder", {{"radius_mm", "0.4"}, {"height_mm", "3"}, {"segments", "32"}});
+    for (Point3& vertex : pin.vertices) vertex += Point3(vertex.z(), y, 0.0);
+    pins = joined(std::move(pins), pin);
+  }
+  VolumetricRequest request = usualRequest(0.2);
+  request.bead_mm = 0.9;
+  request.settings.largest_uncovered_percent = 100.0;
+  request.settings.target = GrowthTarget::Given;
+  request.settings.foot = GrowthFoot::Free;
+  request.directions = {{Point3::Zero(), Point3(1.0, 0.0, 1.0).normalized()}};
+  try {
+    grownLayers(pins, request);
+    FAIL() << "no refusal";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "no layer of the part has room for a bead");
+  }
+}
+
 TEST(VolumetricLayers, RefuseMeshesThatHoldNothing) {
   try {
     grownLayers(test::turnedInsideOut(test::boxBetween({0, 0, 0}, {4, 4, 4})));

@@ -177,6 +177,18 @@ void addNoteOnUnchecked(SliceSummary& summary, const Toolpath& oriented, const P
   if (!note.empty()) summary.notes.push_back(std::move(note));
 }
 
+/// @throws Unreachable as `fitStack`, with what to try
+Toolpath fitted(Toolpath planned, double standing_mm, const PlanningRequest& request, SliceSummary& summary,
+                Progress& progress) {
+  try {
+    StackFit fit = fitStack(std::move(planned), standing_mm, request, progress);
+    for (std::string& note : fit.notes) summary.notes.push_back(std::move(note));
+    return std::move(fit.toolpath);
+  } catch (const Unreachable& refusal) {
+    rethrowForChoice(Unreachable(refusal.what() + remediesFor(request.job, summary.mode)), summary);
+  }
+}
+
 bool needsPart(const JobSettings& settings) {
   return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
 }
@@ -206,9 +218,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   const bool is_checked = planned.is_fitted && !changesOrientation(settings.orientation);
   if (!is_checked) addNoteOnUnchecked(summary, oriented.toolpath, request);
   if (!hasPlaneLayers(summary.mode) && !is_checked) {
-    StackFit fit = fitStack(std::move(oriented.toolpath), planned.standing_mm, request, progress);
-    oriented.toolpath = std::move(fit.toolpath);
-    for (std::string& note : fit.notes) summary.notes.push_back(std::move(note));
+    oriented.toolpath = fitted(std::move(oriented.toolpath), planned.standing_mm, request, summary, progress);
   }
   if (!part.triangles.empty())
     summary.lean = overhangAngle(part, oriented.toolpath, settings.planning.bead.width_mm);

@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "counted_checks.hpp"
 #include "job/modes/fit/plan_check.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -63,17 +65,17 @@ struct TiltingHeadPlan {
   }
 
   StackFit fit(const Toolpath& planned) {
-    NoProgress nobody;
     const BuildSpace space = buildSpaceOf(job.settings.machine);
     const Box3 bed = boundingBox(space);
     const Point3 middle = 0.5 * (bed.low + bed.high);
     const PlanningRequest request{
         job, space,
         Eigen::Isometry3d(Eigen::Translation3d(middle.x(), middle.y(), std::max(0.0, bed.low.z())))};
-    return fitStack(planned, kNothingStands, request, nobody);
+    return fitStack(planned, kNothingStands, request, progress);
   }
 
   SliceJob job;
+  test::CountedChecks progress;
 };
 
 TEST(StackFit, LeavesOutWhereTheHeadHasNoRoom) {
@@ -109,11 +111,12 @@ TEST(StackFit, LeansLessWhereAJointWouldBeBeyondItsLimits) {
   const AlongPath<Eigen::Quaterniond>& held = fit.toolpath.layers.front().paths.back().orientation;
   const Point3 jet = held.at(0) * Point3::UnitZ();
   EXPECT_GE(8.0 - 120.0 * jet.z(), 20.0 - 1e-6);
+  EXPECT_EQ(plan.progress.checks(), 4U) << "some layers and all, as planned and as raised";
 }
 
 TEST(StackFit, LeavesAsItIsWhatIsNotRefused) {
   const Toolpath planned = lowBeadsBesideAHighOne();
-  const auto isLeft = [&](TiltingHeadPlan plan) {
+  const auto isLeft = [&](TiltingHeadPlan& plan) {
     const StackFit fit = plan.fit(planned);
     return fit.notes.empty() && toolpathId(fit.toolpath) == toolpathId(planned);
   };
@@ -134,6 +137,44 @@ TEST(StackFit, LeavesAsItIsWhatIsRefusedNevertheless) {
   const StackFit fit = plan.fit(planned);
   EXPECT_TRUE(fit.notes.empty());
   EXPECT_EQ(toolpathId(fit.toolpath), toolpathId(planned));
+  EXPECT_EQ(plan.progress.checks(), 3U) << "some layers, all as planned, all raised; what may not is not cut";
+}
+
+// Low beads beside a high one, all of which lead below the head.
+TEST(StackFit, IsRefusedByPlaceAfterChecksOfSomeLayers) {
+  TiltingHeadPlan plan;
+  plan.job.settings.volumetric.largest_left_out_percent = 0.5;
+  std::vector<std::pair<Point3, Point3>> ends = {{{45, -45, 45}, {45, 45, 45}}};
+  for (int i = 0; i < 24; ++i) ends.push_back({{0, -24.0 + 2.0 * i, 5}, {40, -24.0 + 2.0 * i, 5}});
+  try {
+    plan.fit(uprightBeads(ends));
+    FAIL() << "not refused";
+  } catch (const Unreachable& refusal) {
+    const std::string text = refusal.what();
+    EXPECT_EQ(text.rfind("layer 5, path 1, waypoint ", 0), 0U) << text;
+    EXPECT_NE(text.find("link 'head' is in what was deposited at layer 0, path 1"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("in 5 of 25 layers, the only ones that were looked at"), std::string::npos) << text;
+    EXPECT_NE(text.find("(volumetric.largest_left_out_percent)"), std::string::npos) << text;
+  }
+  EXPECT_EQ(plan.progress.checks(), 2U) << "some layers, as planned and as raised";
+}
+
+TEST(StackFit, IsRefusedAfterOneCheckOfSomeLayersWhereAPlaceIsOutOfReach) {
+  TiltingHeadPlan plan;
+  Toolpath planned = lowBeadsBesideAHighOne();
+  planned.layers[2].paths.back().points.front().x() = -1000.0;
+  try {
+    plan.fit(planned);
+    FAIL() << "not refused";
+  } catch (const Unreachable& refusal) {
+    const std::string text = refusal.what();
+    EXPECT_EQ(text.rfind("layer 2, path ", 0), 0U) << text;
+    EXPECT_NE(text.find("in 2 of 4 layers, the only ones that were looked at: no leaning less"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_EQ(plan.progress.checks(), 1U);
 }
 
 class FittedStack : public testing::Test {

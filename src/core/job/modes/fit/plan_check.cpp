@@ -89,11 +89,14 @@ CheckedPlan PlanCheck::whole(Toolpath beads) const {
 CheckedPlan PlanCheck::again(Toolpath beads, const CheckedPlan& before) const {
   const TravelsOverPart travels = lead_(beads);
   const std::vector<LayerRange> stretches = changedStretches(before.toolpath, beads);
-  const ToolpathExcerpt excerpt{beads, stretches};
-  MachineCheck check = checked(runOn(machine_, excerpt, request_.bed_from_part, joints_, progress_));
+  MachineCheck check = of({beads, stretches});
   check.faults = replaced(before.check.faults, std::move(check.faults), stretches);
   check.collisions = replaced(before.check.collisions, std::move(check.collisions), stretches);
   return {std::move(beads), travels, std::move(check)};
+}
+
+MachineCheck PlanCheck::of(const ToolpathExcerpt& excerpt) const {
+  return checked(runOn(machine_, excerpt, request_.bed_from_part, joints_, progress_));
 }
 
 MachineCheck PlanCheck::checked(const KinematicModelRun& run) const {

@@ -8,6 +8,7 @@
 
 #include "job/modes/travels_over_part.hpp"
 #include "lamina/base/progress.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/modes/slicing_mode.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -55,6 +56,11 @@ class PlanCheck {
   /// @param before  result of any check of the same part
   /// @throws as `whole`
   CheckedPlan again(Toolpath beads, const CheckedPlan& before) const;
+
+  /// Checks some layers of a toolpath, whose travels are taken as they are. All other layers stand as solid
+  /// material once they are passed; joints begin anew in each range (`ToolpathExcerpt`).
+  /// @throws as `whole`
+  MachineCheck of(const ToolpathExcerpt& excerpt) const;
 
  private:
   MachineCheck checked(const KinematicModelRun& run) const;

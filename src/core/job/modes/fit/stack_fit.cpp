@@ -7,14 +7,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "job/joint_program.hpp"
+#include "job/modes/fit/hopeless_layers.hpp"
 #include "job/modes/fit/plan_check.hpp"
 #include "job/modes/settled_axis.hpp"
 #include "job/modes/travels_over_part.hpp"
 #include "job/raised_axes.hpp"
 #include "lamina/base/angle.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
 
@@ -34,19 +40,55 @@ bool isLeaning(const Toolpath& toolpath, const WaypointIndex& at, const Eigen::I
   return jet.z() > -std::cos(kSettledRad);
 }
 
-/// Whether all that is at fault are joints that turn too far beside a singularity, or are beyond their limits
-/// where the tool axis leans: less lean, as near the bed, may bring them back. More room changes nothing
-/// where a place is out of reach.
-bool isMendable(const MachineCheck& check, const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
-  return std::all_of(check.faults.begin(), check.faults.end(), [&](const Finding& fault) {
-    return isOf(JointFault::Singular, fault) ||
-           (isOf(JointFault::OutOfLimits, fault) && isLeaning(toolpath, fault.at, bed_from_part));
-  });
+/// Faults but joints that turn too far beside a singularity, or are beyond their limits where the tool axis
+/// leans: less lean, as near the bed, may bring these back. More room changes nothing where a place is out of
+/// reach.
+std::vector<Finding> unmendableFaults(const MachineCheck& check, const Toolpath& toolpath,
+                                      const Eigen::Isometry3d& bed_from_part) {
+  std::vector<Finding> unmendable;
+  std::copy_if(
+      check.faults.begin(), check.faults.end(), std::back_inserter(unmendable), [&](const Finding& fault) {
+        return !isOf(JointFault::Singular, fault) &&
+               !(isOf(JointFault::OutOfLimits, fault) && isLeaning(toolpath, fault.at, bed_from_part));
+      });
+  return unmendable;
 }
 
 bool isBeyondLimits(const MachineCheck& check) {
   return std::any_of(check.faults.begin(), check.faults.end(),
                      [](const Finding& fault) { return isOf(JointFault::OutOfLimits, fault); });
+}
+
+bool turnsTooFar(const MachineCheck& check) {
+  return std::any_of(check.faults.begin(), check.faults.end(),
+                     [](const Finding& fault) { return isOf(JointFault::Singular, fault); });
+}
+
+std::string textOf(const HopelessLayers& hopeless, std::size_t layers) {
+  char text[320];
+  if (hopeless.is_out_of_reach)
+    std::snprintf(text, sizeof text,
+                  ", in %zu of %zu layers, the only ones that were looked at: no leaning less and no leaving "
+                  "out of beads mends that",
+                  hopeless.layers, layers);
+  else
+    std::snprintf(text, sizeof text,
+                  ", in %zu of %zu layers, the only ones that were looked at: %.4g mm³ of beads lead there, "
+                  "however far "
+                  "tool axes are raised; expected at most %.4g mm³ in the whole part "
+                  "(volumetric.largest_left_out_percent)",
+                  hopeless.layers, layers, hopeless.hindered_mm3, hopeless.most_mm3);
+  return text;
+}
+
+[[noreturn]] void refuse(const HopelessLayers& hopeless, std::size_t layers, const KinematicModel& model) {
+  const std::string text = textOf(hopeless, layers);
+  try {
+    requireClear(hopeless.check, model);
+  } catch (const Unreachable& refusal) {
+    throw Unreachable(refusal.what() + text);
+  }
+  throw Unreachable(text);
 }
 
 TravelsOverPart asPlanned(Toolpath& /*toolpath*/) { return {}; }
@@ -61,13 +103,18 @@ class StackFitting {
         check_(request, as_planned_, progress, PlanLimits::AsRun) {}
 
   StackFit fit(Toolpath planned) {
+    const RaisingSite site{check_.model(), request_.bed_from_part, request_.job.settings};
+    const auto unmendable = [&](const MachineCheck& check) {
+      return unmendableFaults(check, planned, request_.bed_from_part);
+    };
+    if (const std::optional<HopelessLayers> hopeless = hopelessLayers(planned, site, check_, unmendable))
+      refuse(*hopeless, planned.layers.size(), check_.model());
     found_ = checked(planned);
-    if (found_.isClear() || !isMendable(found_, planned, request_.bed_from_part))
-      return {std::move(planned), {}};
+    if (found_.isClear() || !unmendable(found_).empty()) return {std::move(planned), {}};
     fitted_.toolpath = planned;
-    if (!found_.faults.empty()) settle();
+    if (turnsTooFar(found_)) settle();
     if (!found_.collisions.empty() || isBeyondLimits(found_)) raise();
-    if (!found_.isClear()) cut();
+    if (!found_.isClear() && mayBeLeftOut()) cut();
     if (found_.isClear()) return std::move(fitted_);
     return {std::move(planned), {}};
   }
@@ -88,13 +135,19 @@ class StackFitting {
   }
 
   void raise() {
-    RaisedToolpath raised =
-        raiseToolAxes(fitted_.toolpath, {check_.model(), request_.bed_from_part, request_.job.settings},
-                      [&](const Toolpath& toolpath) { return checked(toolpath); });
+    RaisedToolpath raised = raiseToolAxes(
+        fitted_.toolpath, {check_.model(), request_.bed_from_part, request_.job.settings},
+        [&](const Toolpath& toolpath) { return checked(toolpath); }, RaiseGoal::Fewest);
     if (raised.waypoints == 0 || hindered(raised.check) >= hindered(found_)) return;
     fitted_.notes.push_back(noteOnRaised(raised));
     fitted_.toolpath = std::move(raised.toolpath);
     found_ = std::move(raised.check);
+  }
+
+  bool mayBeLeftOut() const {
+    const double most_mm3 = 0.01 * request_.job.settings.volumetric.largest_left_out_percent *
+                            totals(fitted_.toolpath).deposited_mm3;
+    return hinderedVolume(found_, fitted_.toolpath) <= most_mm3;
   }
 
   void cut() {

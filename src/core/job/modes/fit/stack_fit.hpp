@@ -33,12 +33,16 @@ struct StackFit {
 };
 
 /// Fits a stack of layers to a machine that can turn the tool axis, if its program would be refused
-/// otherwise. Tool axes are settled (`settleAxes`) if joints turn too far, and raised (`raiseToolAxes`) if
-/// the machine runs into something or a joint is beyond its limits as the tool axis leans, each only if fewer
-/// places remain that the machine cannot run. The remaining places are cut (`fitToMachine`). A stack that is
-/// not refused, or is refused nevertheless, is returned as it was planned.
+/// otherwise. Some layers are tried first (`hopelessLayers`). Then tool axes are settled (`settleAxes`) if
+/// joints turn too far, and raised (`raiseToolAxes`) if the machine runs into something or a joint is beyond
+/// its limits as the tool axis leans, each only if fewer places remain that the machine cannot run; raising
+/// ends before a round after which more places remain. The remaining places are cut (`fitToMachine`), unless
+/// more would have to be left out than may be. A stack that is not refused, or is refused nevertheless, is
+/// returned as it was planned.
 /// @param standing_mm  highest z of solid material on the bed before the first layer [part frame]
 /// @param progress     stages "joints" and "clearance"
+/// @throws Unreachable if some layers alone show that no fit makes the machine run the stack: with the first
+///   place, and how much of the beads leads to such places
 /// @throws as `fitToMachine`
 StackFit fitStack(Toolpath planned, double standing_mm, const PlanningRequest& request, Progress& progress);
 
