@@ -426,10 +426,8 @@ def main():
         for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_silent_socket, ()), (check_camera_after_loss, ()),
                             (check_second_press, ()),
                             (check_resume_only_where_it_can_be_done, ()),
-                            (check_resume_from_the_place_that_was_confirmed, ()), (check_resume_in_a_low_window, ()), (check_upload_pressed_twice, (folder,)),
-
-
-                            (check_resume_only_where_it_can_be_done, ()), (check_confirmed_place_with_noise, ()), (check_upload_pressed_twice, (folder,)),
+                            (check_resume_from_the_place_that_was_confirmed, ()), (check_resume_in_a_low_window, ()),
+                            (check_confirmed_place_with_noise, ()), (check_upload_pressed_twice, (folder,)),
                             (check_mesh_fields, (folder,)), (check_old_figures, ()),
                             (check_clock_set_back, ())):
             Handler.cell = Cell()
