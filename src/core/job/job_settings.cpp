@@ -290,6 +290,7 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
     for (const SettingText& setting : settingsFromYaml(readFile(yaml_path, kMostSettingsBytes), yaml_path))
       typed.insert(setting.key);
   for (const SettingText& setting : overrides) typed.insert(setting.key);
+  settings.program.is_diameter_given = givesFilamentDiameter(overrides);
   return withMachineDefaults(settings, typed);
 }
 

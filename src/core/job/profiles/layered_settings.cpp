@@ -202,6 +202,7 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   loadProfile(load, ProfileKind::Process, sources.process, library, machine);
   if (!sources.config.empty()) load.setConfig(sources.config);
   for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
+  layered.settings.program.is_diameter_given = givesFilamentDiameter(sources.overrides);
   requireOneMachine(layered);
   load.setMachineDefaults();
   load.leaveOutByMode();
