@@ -49,7 +49,8 @@ CoordinatesReport reportOn(const std::string& input, const JobSettings& settings
   CoordinatesReport report;
   if (isProgramFile(input)) report.notes = notesOf(readTextFile(input));
   const double set_mm = settings.program.filament_diameter_mm;
-  report.filament_diameter_mm = report.notes.filament_diameter_mm.value_or(set_mm);
+  report.filament_diameter_mm =
+      settings.program.is_diameter_given ? set_mm : report.notes.filament_diameter_mm.value_or(set_mm);
   const Toolpath toolpath = readToolpath(input, settings).toolpath;
   report.rows = coordinateMatrix(toolpath, report.filament_diameter_mm);
   report.extruded_mm = filamentOf(report.rows);

@@ -37,6 +37,8 @@ struct MeasuredProgram {
   std::string name;
   std::string placing;  ///< how it was found where the part is
   Point3 program_from_part = Point3::Zero();
+  double part_volume_mm3 = 0.0;  ///< of the part as it is printed, before it shrinks
+  double part_area_mm2 = 0.0;
   double estimated_time_s = 0.0;
   ToolpathMetrics metrics;
 };
@@ -48,6 +50,8 @@ MeasuredProgram measureInput(const std::string& input, const ComparedPart& drawn
   const ComparedPart part = asPrinted(drawn, settings);
   MeasuredProgram measured;
   measured.name = std::filesystem::path(input).filename().string();
+  measured.part_volume_mm3 = std::abs(volume(part.mesh));
+  measured.part_area_mm2 = surfaceArea(part.mesh);
   ToolpathInput read = readToolpath(input, settings);
   TerminalProgress progress;
   if (isPart(input)) {
@@ -77,6 +81,8 @@ nlohmann::ordered_json toJson(const MeasuredProgram& program) {
   nlohmann::ordered_json json = {{"name", program.name},
                                  {"placing", program.placing},
                                  {"program_from_part_mm", {place.x(), place.y(), place.z()}},
+                                 {"part_volume_mm3", program.part_volume_mm3},
+                                 {"part_area_mm2", program.part_area_mm2},
                                  {"estimated_time_s", program.estimated_time_s}};
   const std::vector<double> values = metricValues(program.metrics);
   const std::vector<std::string> names = metricNames();
@@ -103,12 +109,21 @@ void printJson(const std::vector<MeasuredProgram>& programs, const ComparedPart&
   std::printf("%s\n", json.dump(2).c_str());
 }
 
+/// Where a program's part is, and its size where that differs from the part as drawn.
+void printPart(const MeasuredProgram& program, double drawn_mm3) {
+  const Point3& place = program.program_from_part;
+  std::printf("%s: part at %.3f, %.3f, %.3f mm (%s)", program.name.c_str(), place.x(), place.y(), place.z(),
+              program.placing.c_str());
+  if (program.part_volume_mm3 != drawn_mm3)
+    std::printf(", printed as %.6g mm3, %.6g mm2 before it shrinks", program.part_volume_mm3,
+                program.part_area_mm2);
+  std::printf("\n");
+}
+
 void printText(const std::vector<MeasuredProgram>& programs, const ComparedPart& part) {
-  std::printf("part %s, %.6g mm3, %.6g mm2\n", part.name.c_str(), std::abs(volume(part.mesh)),
-              surfaceArea(part.mesh));
-  for (const MeasuredProgram& program : programs)
-    std::printf("%s: part at %.3f, %.3f, %.3f mm (%s)\n", program.name.c_str(), program.program_from_part.x(),
-                program.program_from_part.y(), program.program_from_part.z(), program.placing.c_str());
+  const double drawn_mm3 = std::abs(volume(part.mesh));
+  std::printf("part %s, %.6g mm3, %.6g mm2\n", part.name.c_str(), drawn_mm3, surfaceArea(part.mesh));
+  for (const MeasuredProgram& program : programs) printPart(program, drawn_mm3);
   std::printf("%s", toText(tableOf(programs)).c_str());
 }
 

@@ -57,6 +57,28 @@ class Metrics(unittest.TestCase):
         for reported in toolpath["program_from_part_mm"]:  # which are in the frame of the part
             self.assertAlmostEqual(reported, 0.0, delta=0.002)
 
+    def test_a_part_that_shrinks_is_reported_as_it_is_printed(self):
+        """8 x 12 x 5 mm grown by 1 / (1 - 0.02) along x and y are 480 / 0.98² mm3."""
+        shrunk = self.path("shrunk.gcode")
+        done = run("slice", self.part, "-o", shrunk, *SETTINGS, "--set", "compensation.shrink_xy=0.02",
+                   "--set", "program.settings_in_file=true")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        grown, plain = self.reported(shrunk, self.path("plate.gcode"))
+        self.assertAlmostEqual(grown["part_volume_mm3"], 480 / 0.98**2, delta=0.01)
+        self.assertAlmostEqual(grown["part_area_mm2"], 2 * (8 * 12 / 0.98 + (8 + 12) * 5) / 0.98, delta=0.01)
+        self.assertAlmostEqual(plain["part_volume_mm3"], 480, delta=0.001)
+        text = run("metrics", shrunk, self.path("plate.gcode"), "--part", self.part).stdout
+        self.assertIn("printed as 499.792 mm3", text)
+        self.assertEqual(text.count("printed as"), 1)
+
+    def test_filament_that_is_given_holds_over_that_which_a_program_states(self):
+        stated = self.path("stated.gcode")
+        with open(self.path("plate.gcode")) as plain, open(stated, "w") as file:
+            file.write(plain.read() + "; filament_diameter = 3.5\n")
+        fed = [json.loads(run("coordinates", stated, "--json", *given).stdout)["extruded_mm3"]
+               for given in ((), ("--set", "program.filament_diameter_mm=1.75"))]
+        self.assertAlmostEqual(fed[0] / fed[1], 4.0, delta=1e-6)
+
     def test_the_platform_is_simulated_if_asked(self):
         quiet = self.reported(self.path("plate.csv"))[0]["metrics"]
         self.assertEqual([quiet[name] for name in NAMES[6:]], [None, None, None])

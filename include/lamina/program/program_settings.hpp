@@ -18,6 +18,9 @@ namespace lamina {
 struct ProgramSettings {
   std::string dialect = "marlin";  ///< name of the dialect of G-code for linear axes (`gcodeDialects`)
   double filament_diameter_mm = 1.75;
+  /// Whether the diameter holds for programs that state another one, since somebody gave it for them; no
+  /// setting.
+  bool is_diameter_given = false;
   double flow = 1.0;                    ///< factor on all extrusion
   double nozzle_temperature_c = 210.0;  ///< 0 leaves the heater alone
   double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
@@ -55,6 +58,9 @@ struct ProgramSettings {
 
 /// Adds the keys program.* and drop_program.*.
 void describe(SettingsSchema& schema, ProgramSettings& settings);
+
+/// Whether one of the settings that somebody typed is the diameter of the filament (`is_diameter_given`).
+bool givesFilamentDiameter(const std::vector<SettingText>& typed);
 
 /// The settings of RAPID, with the load of `robot_program.*` where they state none.
 /// @throws InvalidConfig if a mass has no centre

@@ -32,13 +32,14 @@ void describe(SettingsSchema& schema, InputSettings& input) {
                 "Height of the part that an outline (SVG) becomes; 0 refuses outlines.");
 }
 
-/// Level layers alone have what lies on the bed beside the part.
+/// Level layers alone have what lies on the bed round the part, below all of it or before it; a brim lies
+/// beside the foot of each inclined layer too.
 /// @param layers_are  which ones these are
-void requireNothingOnBed(const PlanSettings& settings, const std::string& layers_are) {
+void requireNothingRoundPart(const PlanSettings& settings, const std::string& layers_are,
+                             const std::string& reason) {
   const SkirtSettings usual;
   const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
-    if (!is_met)
-      throw InvalidConfig(key_is + layers_are + "; expected " + expected + ": only level layers have one");
+    if (!is_met) throw InvalidConfig(key_is + layers_are + "; expected " + expected + ": " + reason);
   };
   const AdhesionSettings& adhesion = settings.adhesion;
   const int count = settings.skirt.count;
@@ -46,9 +47,17 @@ void requireNothingOnBed(const PlanSettings& settings, const std::string& layers
           "0 or the default " + std::to_string(usual.count));
   require(settings.skirt.layers == usual.layers, "skirt.layers is " + std::to_string(settings.skirt.layers),
           "the default " + std::to_string(usual.layers));
-  require(adhesion.brim.width_mm == 0.0, "brim.width_mm is " + numberText(adhesion.brim.width_mm), "0");
   require(adhesion.raft.layers == 0, "raft.layers is " + std::to_string(adhesion.raft.layers), "0");
   require(adhesion.prime.line == PrimeLine::None, "prime.line is set", "'none'");
+}
+
+/// What lies on the bed where layers are not plane.
+void requireNothingOnBed(const PlanSettings& settings, const std::string& layers_are) {
+  const double brim_mm = settings.adhesion.brim.width_mm;
+  if (brim_mm != 0.0)
+    throw InvalidConfig("brim.width_mm is " + numberText(brim_mm) + layers_are +
+                        "; expected 0: only plane layers have one");
+  requireNothingRoundPart(settings, layers_are, "only level layers have one");
 }
 
 /// No loop round inclined layers keeps to the bed.
@@ -70,7 +79,15 @@ void requireConsistentPlane(const JobSettings& settings) {
   if (settings.program.arcs_tolerance_mm > 0.0)
     throw InvalidConfig("program.arcs_tolerance_mm is " + numberText(settings.program.arcs_tolerance_mm) +
                         inclined + "; expected 0: arcs lie in level layers only");
-  requireNothingOnBed(settings.planning, inclined);
+  if (settings.planning.adhesion.brim.width_mm > 0.0 && settings.planning.adhesion.brim.ears)
+    throw InvalidConfig(
+        "brim.ears is true" + inclined +
+        "; expected false: inclined layers cut the outline on the bed in steps, and each would "
+        "have ears");
+  requireNothingRoundPart(
+      settings.planning, inclined,
+      "each inclined layer stands on the bed itself, so that nothing lies round or below all "
+      "of them; brim.width_mm holds the part down");
   const SupportSettings& supports = settings.planning.supports;
   if (supports.use && supports.kind == SupportKind::Tree)
     throw InvalidConfig("supports.kind is 'tree'" + inclined +
@@ -290,6 +307,7 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
     for (const SettingText& setting : settingsFromYaml(readFile(yaml_path, kMostSettingsBytes), yaml_path))
       typed.insert(setting.key);
   for (const SettingText& setting : overrides) typed.insert(setting.key);
+  settings.program.is_diameter_given = givesFilamentDiameter(overrides);
   return withMachineDefaults(settings, typed);
 }
 

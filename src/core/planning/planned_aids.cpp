@@ -16,6 +16,7 @@
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/adhesion/brim.hpp"
+#include "planning/adhesion/foot_brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
 #include "planning/order/near_origin.hpp"
 #include "planning/skins/skin_areas.hpp"
@@ -79,7 +80,7 @@ class AidPlanner {
     planned_.layers.resize(layers_.size());
     supports_.layers.resize(layers_.size());
     if (settings_.supports.use) findSupports(progress);
-    if (!context_.bed) addBrim();
+    context_.bed ? addFootBrim() : addBrim();
     if (settings_.supports.use) addSupports(progress);
     if (context_.bed && settings_.supports.use) carryUp(progress);
     if (context_.bed) return std::move(planned_);
@@ -119,6 +120,21 @@ class AidPlanner {
     cutOut(supports_.layers.front(), brim_.area);
     const RunOrder order = settings.ears ? RunOrder::Shortest : RunOrder::AsGiven;
     planned_.layers.front().push_back(runsOf(std::move(brim_.runs), bead, bounds.top_mm, order));
+  }
+
+  /// On the bed beside inclined layers, where no support stands then.
+  void addFootBrim() {
+    const BrimSettings& settings = settings_.adhesion.brim;
+    if (settings.width_mm == 0.0) return;
+    const double width_mm = beadOf(PathRole::Brim, settings_, layerHeight()).bead.width_mm;
+    std::vector<FootBrim> brims = footBrim(layers_, *context_.bed, settings, width_mm);
+    for (std::size_t i = window_.asked.begin; i < window_.asked.end; ++i) {
+      if (brims[i].runs.empty()) continue;
+      cutOut(supports_.layers[i], brims[i].area);
+      const LayerBounds& bounds = layers_[i].bounds;
+      planned_.layers[i].push_back(
+          runsOf(std::move(brims[i].runs), {width_mm, bounds.height()}, bounds.top_mm, RunOrder::Shortest));
+    }
   }
 
   void addSupports(Progress& progress) {
@@ -252,9 +268,11 @@ class AidPlanner {
   PlannedAids planned_;
 };
 
-/// How many layers a column crosses at most, from what it holds up down to the bed, with its interfaces.
+/// How many layers a column crosses at most, from what it holds up down to the bed, with its interfaces, and
+/// a brim.
 std::size_t greatestReach(const std::vector<Layer>& layers, const BedPlane& bed,
-                          const SupportSettings& settings) {
+                          const PlanSettings& settings) {
+  const SupportSettings& supports = settings.supports;
   double highest_mm = 0.0;
   double least_mm = std::numeric_limits<double>::infinity();
   for (const Layer& layer : layers) {
@@ -263,8 +281,10 @@ std::size_t greatestReach(const std::vector<Layer>& layers, const BedPlane& bed,
       for (const Point2& point : contour)
         highest_mm = std::max(highest_mm, bed.heightOf({point.x(), point.y(), layer.bounds.top_mm}));
   }
-  const double way_mm = highest_mm * bed.up.z() + settings.top_gap_mm + settings.bottom_gap_mm;
-  return static_cast<std::size_t>(std::ceil(way_mm / least_mm) + settings.interface_layers) + 2;
+  const double way_mm = highest_mm * bed.up.z() + supports.top_gap_mm + supports.bottom_gap_mm;
+  const auto of_columns =
+      static_cast<std::size_t>(std::ceil(way_mm / least_mm) + supports.interface_layers) + 2;
+  return std::max(of_columns, countBrimLayersBelow(layers, bed, settings.adhesion.brim));
 }
 
 /// @throws InvalidInput if there are any
@@ -281,7 +301,7 @@ PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& c
   requireNoRegions(support_regions);
   PlannedAids all;
   all.layers.resize(layers.size());
-  const std::size_t reach = greatestReach(layers, *context.bed, context.settings.supports);
+  const std::size_t reach = greatestReach(layers, *context.bed, context.settings);
   for (const StackStretch& stretch : stretchesAlongBelt(layers)) {
     const std::size_t begin = stretch.begin - std::min(stretch.begin, reach);
     const std::size_t end = std::min(layers.size(), stretch.end + reach);
@@ -294,10 +314,11 @@ PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& c
     PlannedAids planned = AidPlanner(near, there, {}, window).plan(progress);
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
       all.layers[i] = moved(std::move(planned.layers[i - begin]), stretch.away);
+    all.supports = sumOf(all.supports, planned.supports);
+    if (planned.carrying.empty()) continue;
     all.carrying.resize(layers.size());
     for (std::size_t i = stretch.begin; i < stretch.end; ++i)
       all.carrying[i] = moved(std::move(planned.carrying[i - begin]), stretch.away);
-    all.supports = sumOf(all.supports, planned.supports);
   }
   return all;
 }
@@ -331,8 +352,9 @@ PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& contex
                      const SupportRegions& support_regions, Progress& progress) {
   const PlanSettings& settings = context.settings;
   if (context.lift || context.strategy.deposit == Deposit::Drops || layers.empty()) return {};
-  const bool lies_on_bed = settings.skirt.count > 0 || isUsed(settings.adhesion);
-  if (!settings.supports.use && (!lies_on_bed || context.bed)) return {};
+  const bool lies_on_bed = context.bed ? settings.adhesion.brim.width_mm > 0.0
+                                       : settings.skirt.count > 0 || isUsed(settings.adhesion);
+  if (!settings.supports.use && !lies_on_bed) return {};
   const auto isFarOut = [](const StackStretch& stretch) { return !stretch.away.isZero(); };
   const std::vector<StackStretch> stretches = stretchesAlongBelt(layers);
   if (context.bed && std::any_of(stretches.begin(), stretches.end(), isFarOut))

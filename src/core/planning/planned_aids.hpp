@@ -30,7 +30,7 @@ void dropEmptyBelow(std::vector<Layer>& layers, PlannedAids& aids);
 /// both.
 SupportTotals sumOf(const SupportTotals& a, const SupportTotals& b);
 
-/// Plans the build aids: supports of layers in parallel planes; skirt, brim, raft and prime line of level
+/// Plans the build aids: supports and brim of layers in parallel planes; skirt, raft and prime line of level
 /// layers. Lifted layers and parts of drops have none.
 /// @param layers           in the frame of the layers
 /// @param support_regions  regions with other settings of supports

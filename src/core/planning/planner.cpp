@@ -28,6 +28,7 @@
 #include "lamina/planning/skins/layer_cover.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/adhesion/foot_brim.hpp"
 #include "planning/compensation/first_layer.hpp"
 #include "planning/layer_planner.hpp"
 #include "planning/left_open.hpp"
@@ -551,9 +552,10 @@ Plan planPart(const std::string& part_name, std::vector<Layer> layers, const Pla
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const LayerIncline& incline, Progress& progress) {
-  std::vector<Layer> stack = layers;
+  std::size_t below = countBrimLayersBelow(layers, incline.bed, settings.adhesion.brim);
   if (standsOnSupports(settings))
-    stack = withLayersBelow(layers, countLayersBelow(layers, incline.bed, settings.supports));
+    below = std::max(below, countLayersBelow(layers, incline.bed, settings.supports));
+  std::vector<Layer> stack = withLayersBelow(layers, below);
   PlanContext context = contextFor(stack, settings);
   context.bed = incline.bed;
   context.part_from_layers = incline.part_from_layers;

@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/program_settings.hpp"
 
+#include <algorithm>
+
 #include "lamina/program/gcode/gcode_dialect.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr const char* kFilamentDiameter = "program.filament_diameter_mm";
+
+}  // namespace
 
 void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.choice("program.dialect", settings.dialect, gcodeDialects().names(),
                 "Dialect of G-code for machines with linear axes.");
   schema.renamed("program.flavour", "program.dialect");
-  schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, Bounds::above(0.0, 20.0),
+  schema.number(kFilamentDiameter, settings.filament_diameter_mm, Bounds::above(0.0, 20.0),
                 "Diameter of the filament.");
   schema.number("program.flow", settings.flow, Bounds::above(0.0, 10.0), "Factor on all extrusion.");
   schema.number("program.nozzle_temperature_c", settings.nozzle_temperature_c, {0.0, 500.0},
@@ -41,6 +48,11 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.flag("program.accelerations", settings.states_accelerations,
               "Whether G-code sets the accelerations of motion.* at its start.");
   describe(schema, settings.drops);
+}
+
+bool givesFilamentDiameter(const std::vector<SettingText>& typed) {
+  return std::any_of(typed.begin(), typed.end(),
+                     [](const SettingText& setting) { return setting.key == kFilamentDiameter; });
 }
 
 RapidSettings rapidWithLoad(const ProgramSettings& program) {

@@ -213,6 +213,7 @@ lamina_msgs::FillVoids::Response VoidFiller::fill(const lamina_msgs::FillVoids::
   std::vector<SettingText> typed;
   typed.reserve(request.settings.size());
   for (const lamina_msgs::Setting& setting : request.settings) typed.push_back({setting.key, setting.value});
+  job.settings.program.is_diameter_given = givesFilamentDiameter(typed);
   job.settings = withStatedShrinkage(job.settings, request.program, typed);
   ServiceProgress progress;
   const ProgramVoidReport report = runProgramVoidJob(job, progress);

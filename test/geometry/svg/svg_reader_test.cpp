@@ -112,6 +112,22 @@ TEST(SvgReader, LeavesOutWhatIsNotFilledOrNotShown) {
     EXPECT_NEAR(area(read(square + other)), 4.0, 1e-6) << other;
 }
 
+/// Drawing programs write the properties of shapes into a style sheet.
+TEST(SvgReader, TakesStyleSheetsForClassesAndElements) {
+  const auto areaOf = [](const std::string& css, const std::string& shapes) {
+    return area(read("<style>" + css + "</style>" + shapes));
+  };
+  const std::string two =
+      "<rect class='a' width='2' height='3'/><rect class='b c' x='5' width='4' height='1'/>";
+  EXPECT_NEAR(areaOf("", two), 10.0, 1e-6);
+  EXPECT_NEAR(areaOf(".b { fill: none; stroke: #000 }", two), 6.0, 1e-6);
+  EXPECT_NEAR(areaOf("<![CDATA[/* .a{fill:none} */ .x, .c{display:none}]]>", two), 6.0, 1e-6);
+  EXPECT_NEAR(areaOf("rect{fill:none}.a{fill:red}", two), 6.0, 1e-6) << "a class counts more than an element";
+  EXPECT_NEAR(areaOf(".a{fill:none}.a{fill:red}", two), 10.0, 1e-6) << "of two rules the last";
+  EXPECT_NEAR(areaOf(".a{fill:none}", "<rect class='a' style='fill:red' width='2' height='3'/>"), 6.0, 1e-6);
+  EXPECT_NEAR(areaOf(".a{fill:none", two), 4.0, 1e-6) << "a rule without its end";
+}
+
 TEST(SvgReader, RefusesWhatItCannotTakeNamingTheLine) {
   for (const std::string& bad :
        {std::string("<svg viewBox='0 0 1 1'><rect width='1' height='1'/></svg>"),

@@ -148,6 +148,16 @@ TEST_F(ProgramAnnotationsTest, StateTheShrinkageThatAPartIsComparedWith) {
   EXPECT_EQ(withStatedShrinkage(compared, path, {}).compensation.shrink_xy, 0.004);
 }
 
+TEST_F(ProgramAnnotationsTest, StateADiameterThatWhatIsTypedOverrides) {
+  const SettingText typed = {"program.filament_diameter_mm", "3.5"};
+  EXPECT_TRUE(loadJobSettings("", {typed}).program.is_diameter_given);
+  EXPECT_FALSE(loadJobSettings("", {{"program.flow", "1"}}).program.is_diameter_given);
+  SettingsSources sources;
+  EXPECT_FALSE(loadLayered(sources, ProfileLibrary({})).settings.program.is_diameter_given);
+  sources.overrides = {typed};
+  EXPECT_TRUE(loadLayered(sources, ProfileLibrary({})).settings.program.is_diameter_given);
+}
+
 TEST_F(ProgramAnnotationsTest, AreAskedForInVainWhereAProgramStatesNoSettings) {
   writeFile(file_, "G28\n");
   EXPECT_THROW(statedSettings(file_), InvalidConfig);

@@ -13,9 +13,12 @@
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/shapes.hpp"
+#include "support/solids.hpp"
 
 namespace lamina {
 namespace {
@@ -237,6 +240,33 @@ TEST(BeltTravels, NeverRunTheBeltBackInThePrograms) {
                       {{"cooling.interval", "place"}, {"cooling.by", "dwell"}, {"cooling.park", "stay"}})
                 .reversals,
             0);
+}
+
+/// The brim of a box of 12 mm begins before it, where the belt begins, and is 3 mm wide to its sides.
+TEST(BeltBrim, BeginsWhereTheBeltBegins) {
+  const test::ScratchFolder folder;
+  SettingsSources sources;
+  sources.machine = "creality_cr_30";
+  sources.material = "pla";
+  sources.overrides = {{"brim.width_mm", "3"}};
+  const JobSettings settings =
+      loadLayered(sources, ProfileLibrary({std::string(LAMINA_SOURCE_DIR) + "/profiles"})).settings;
+  NoProgress nobody;
+  const std::string box = folder.file("box.stl");
+  writeStl(box, test::boxBetween(Point3::Zero(), {12, 12, 12}));
+  const SlicedPart sliced = runSliceJob({box, folder.file("box.gcode"), settings}, nobody);
+  Box3 brim;
+  Box3 part;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) continue;
+      for (const Point3& point : path.points) (path.role == PathRole::Brim ? brim : part).include(point);
+    }
+  ASSERT_FALSE(brim.isEmpty());
+  EXPECT_NEAR(part.low.x() - brim.low.x(), 3.0, 0.3);
+  EXPECT_NEAR(brim.high.x() - part.high.x(), 3.0, 0.3);
+  EXPECT_GT(brim.size().y(), 12.0 + 2 * 2.5);
+  EXPECT_LT(brim.size().y(), 12.0 + 2 * 3.5);
 }
 
 }  // namespace

@@ -154,5 +154,36 @@ TEST_F(LaidBesideTest, ArrangedPartsKeepTheirSpacingBetweenIt) {
   }
 }
 
+TEST_F(LaidBesideTest, PrimesOnceBeforeAllParts) {
+  addBox("one", {10, 10, 1}, Point2(60, 100));
+  addBox("two", {10, 10, 1}, Point2(140, 100));
+  job_.settings.planning.adhesion.prime.line = PrimeLine::Front;
+  for (const int skirts : {0, 1}) {
+    job_.settings.planning.skirt.count = skirts;
+    NoProgress nobody;
+    const Toolpath toolpath = runPlateJob(job_, nobody).sliced.toolpath;
+    double primed_mm3 = 0.0;
+    for (const ToolpathLayer& layer : toolpath.layers)
+      for (const Path& path : layer.paths)
+        if (path.role == PathRole::Prime) primed_mm3 += depositedVolume(path);
+    EXPECT_NEAR(primed_mm3, 100.0 * 0.5, 1e-6) << "100 mm of 0.5 mm2";
+    EXPECT_EQ(toolpath.layers.front().paths.front().role, PathRole::Prime);
+  }
+  job_.plate.parts[0].at_mm = Point2(60, 6);
+  job_.settings.planning.skirt.count = 0;
+  EXPECT_NE(refusal().find("prime.line is 'front', where it would cross"), std::string::npos) << refusal();
+}
+
+TEST_F(LaidBesideTest, HasNoBrimsOfPartsBesideEachOtherInInclinedLayers) {
+  addBox("one", {10, 10, 1}, Point2(60, 100));
+  addBox("two", {10, 10, 1}, Point2(140, 100));
+  job_.settings.machine.name = "gantry_45";
+  job_.settings.slicing.plane.angle_deg = 45.0;
+  job_.settings.planning.adhesion.brim.width_mm = 8.0;
+  EXPECT_NE(refusal().find("brim.width_mm is 8 for part 'one' of a plate in inclined layers"),
+            std::string::npos)
+      << refusal();
+}
+
 }  // namespace
 }  // namespace lamina

@@ -381,9 +381,6 @@ TEST_F(PlateJobTest, RefusesWhatPlatesDoNotTake) {
   job_.settings.scan.every_layers = 2;
   EXPECT_NE(refusal().find("scan.every_layers"), std::string::npos);
   job_.settings.scan.every_layers = 0;
-  job_.settings.planning.adhesion.prime.line = PrimeLine::Front;
-  EXPECT_NE(refusal().find("prime.line"), std::string::npos);
-  job_.settings.planning.adhesion.prime.line = PrimeLine::None;
   job_.settings.planning.tools.purge_mm3 = {50.0};
   job_.settings.plate.order = PlateOrder::ByPart;
   EXPECT_NE(refusal().find("tools.purge_mm3"), std::string::npos);

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "job/profiles/profile_suggestion.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "support/scratch_folder.hpp"
@@ -165,6 +166,25 @@ TEST_F(LayeredSettingsTest, RefuseBrokenProfilesByFileAndLine) {
     const std::string refusal = refusalOf(sourcesOf("broken"));
     EXPECT_EQ(refusal.rfind(path("machines/broken") + broken.line, 0), 0U) << refusal;
   }
+}
+
+TEST(ProfileSuggestion, IsTheProfileThatSomebodyMayHaveMeant) {
+  const std::vector<std::string> names = {"creality_cr_30", "creality_ender_3", "pla",
+                                          "petg",           "voron_2_4_250",    "voron_2_4_300"};
+  const auto likely = [&](const char* given) { return profileSuggestion(names, given); };
+  EXPECT_EQ(likely("CR-30"), "; did you mean 'creality_cr_30'?");
+  EXPECT_EQ(likely("Creality Ender 3"), "; did you mean 'creality_ender_3'?");
+  EXPECT_EQ(likely("PLA"), "; did you mean 'pla'?");
+  EXPECT_EQ(likely("Voron 2.4"), "; did you mean 'voron_2_4_250'?");
+  EXPECT_EQ(likely("petgg"), "; did you mean 'petg'?");
+  EXPECT_EQ(likely("a"), "") << "in most names";
+  EXPECT_EQ(likely("cheese"), "");
+  EXPECT_EQ(likely("-"), "");
+}
+
+TEST_F(LayeredSettingsTest, SuggestTheProfileThatIsLikeAWrongName) {
+  write("machines/big_one", "profile: {kind: machine, name: big_one}\n");
+  EXPECT_NE(refusalOf(sourcesOf("Big One")).find("; did you mean 'big_one'?"), std::string::npos);
 }
 
 TEST_F(LayeredSettingsTest, RefuseProfilesThatInheritInACircle) {

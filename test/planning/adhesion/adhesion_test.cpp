@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "planning/adhesion/brim.hpp"
+#include "planning/adhesion/foot_brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
 #include "planning/planned_aids.hpp"
 #include "planning/skirt.hpp"
@@ -60,6 +61,102 @@ Box2 boxRound(const std::vector<Path>& paths) {
   for (const Path& path : paths)
     for (const Point3& point : path.points) box.include(point.head<2>());
   return box;
+}
+
+/// A cube of 20 mm in layers of 45 deg, by x and their own height; it covers 20 mm of the bed along either.
+std::vector<Layer> inclinedCube(const Point2& by) {
+  const double root = std::sqrt(0.5);
+  std::vector<Layer> layers;
+  for (int i = 0; i < 142; ++i) {
+    Layer layer{{-5.0 / root + kLayerHeight * i, -5.0 / root + kLayerHeight * (i + 1)}, {}};
+    const double n = layer.bounds.cut();
+    const double low = std::max(-n, n - 10.0 / root);
+    const double high = std::min(20.0 / root - n, n + 10.0 / root);
+    if (high > low)
+      layer.section.contours.push_back(rectangle(by.x() - 10.0, by.y() + low, by.x() + 10.0, by.y() + high));
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+Plan inclinedOn(const PlanSettings& settings, const Point2& by) {
+  const double root = std::sqrt(0.5);
+  NoProgress nobody;
+  return planPart("cube", inclinedCube(by), settings,
+                  LayerIncline{{{0, root, root}, root * by.y()}, Eigen::Quaterniond::Identity()}, nobody);
+}
+
+std::vector<Path> brimOf(const Plan& plan) {
+  std::vector<Path> brim;
+  for (const ToolpathLayer& layer : plan.toolpath.layers)
+    for (Path& path : pathsOf(layer, PathRole::Brim)) brim.push_back(std::move(path));
+  return brim;
+}
+
+/// 5 mm round 20 mm are rows 0.2 / sin 45 deg apart, whose ends keep half a pitch off part and edge.
+TEST(Brim, OfInclinedLayersLiesBesideTheirFeet) {
+  PlanSettings settings = bare();
+  settings.adhesion.brim.width_mm = 5.0;
+  const double root = std::sqrt(0.5);
+  const double row_mm = kLayerHeight / root;
+  const double width_mm = 14 * kLayerPitch;
+  const double length_mm = 2 * width_mm / row_mm * (20 + 2 * width_mm - kLayerPitch) +
+                           20.0 / row_mm * 2 * (width_mm - kLayerPitch);
+  for (const Point2& by : {Point2(0, 0), Point2(0, 12500)}) {
+    const Plan plan = inclinedOn(settings, by);
+    const std::vector<Path> brim = brimOf(plan);
+    EXPECT_NEAR(volumeBeside(brim), length_mm * kLayerPitch * kLayerHeight,
+                0.03 * length_mm * kLayerPitch * kLayerHeight);
+    double before_mm = 0.0;
+    double after_mm = 0.0;
+    for (const Path& path : brim)
+      for (const Point3& point : path.points) {
+        const double cut = point.z() - 0.5 * kLayerHeight;
+        EXPECT_NEAR(point.y() - by.y() + cut, 0.2, 1e-4) << "half a bead from the bed";
+        const double along = cut / root;
+        before_mm = std::max(before_mm, -10.0 - along);
+        after_mm = std::max(after_mm, along - 10.0);
+        EXPECT_TRUE(std::abs(along) > 10.0 || std::abs(point.x()) > 10.0) << point.transpose();
+        EXPECT_LT(std::abs(point.x()), 15.0);
+      }
+    EXPECT_NEAR(before_mm, 5.0, row_mm);
+    EXPECT_NEAR(after_mm, 5.0, 2 * row_mm);
+  }
+}
+
+TEST(Brim, LeavesInclinedLayersAsTheyAreWithout) {
+  PlanSettings settings = bare();
+  const Plan without = inclinedOn(settings, Point2::Zero());
+  settings.adhesion.brim.width_mm = 2.0;
+  const Plan with = inclinedOn(settings, Point2::Zero());
+  EXPECT_TRUE(brimOf(without).empty());
+  EXPECT_GT(with.toolpath.layers.size(), without.toolpath.layers.size()) << "rows before the part";
+  const auto part_mm3 = [](const Plan& plan) {
+    double sum = 0.0;
+    for (const ToolpathLayer& layer : plan.toolpath.layers)
+      for (const Path& path : layer.paths)
+        if (path.role != PathRole::Brim && path.role != PathRole::Travel) sum += depositedVolume(path);
+    return sum;
+  };
+  EXPECT_NEAR(part_mm3(with) / part_mm3(without), 1.0, 1e-3);
+}
+
+/// At 15 deg the feet of layers of 0.2 mm are 0.773 mm apart, 2.16 pitches.
+TEST(Brim, OfSlightlyInclinedLayersHasSeveralLinesEach) {
+  const double angle = M_PI / 12.0;
+  const BedPlane bed{{0, std::sin(angle), std::cos(angle)}, 0.0};
+  Layer layer{{0.0, kLayerHeight}, {}};
+  const double foot = -layer.bounds.cut() / std::tan(angle);
+  layer.section.contours = {rectangle(-10, foot, 10, foot + 20)};
+  BrimSettings settings;
+  settings.width_mm = 5.0;
+  const std::vector<FootBrim> brims = footBrim({layer}, bed, settings, 0.4);
+  ASSERT_EQ(brims.front().runs.size(), 4U) << "two lines to each side";
+  for (const FillPath& run : brims.front().runs) {
+    const double from_foot = run.points.front().y() - foot;
+    EXPECT_TRUE(std::abs(from_foot - 0.2) < 1e-6 || std::abs(from_foot - 0.2 - kLayerPitch) < 1e-6);
+    EXPECT_NEAR(length(run.points), 13 * kLayerPitch, 1e-4);
+  }
 }
 
 TEST(Brim, OfACubeIsFourteenLoopsOutermostFirst) {

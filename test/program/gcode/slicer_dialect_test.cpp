@@ -209,5 +209,14 @@ TEST(SlicerDialect, FilamentReportedAfterTheMotionsScalesTheBeads) {
   EXPECT_NEAR(thin, 2.7459 * M_PI * 0.875 * 0.875, 1e-4);
 }
 
+TEST(SlicerDialect, FilamentGivenForAProgramHoldsOverThatWhichItStates) {
+  ProgramSettings given;
+  given.filament_diameter_mm = 3.5;
+  given.is_diameter_given = true;
+  const std::string program = std::string(kSlic3r) + "; filament_diameter = 2.85\n";
+  const double given_mm3 = totals(toolpathFromGcode(program, given, "part")).deposited_mm3;
+  EXPECT_NEAR(given_mm3 / totals(slicerDialectRead(kSlic3r)).deposited_mm3, 4.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/svg/style_sheet.hpp"
 #include "geometry/svg/svg_path.hpp"
 #include "geometry/svg/xml_scanner.hpp"
 #include "lamina/base/angle.hpp"
@@ -135,24 +136,11 @@ bool isOneOf(const std::array<const char*, n>& names, const std::string& name) {
   return std::any_of(names.begin(), names.end(), [&](const char* each) { return name == each; });
 }
 
-/// A property by its attribute, or by the style, which counts more.
-std::string propertyOf(const XmlTag& tag, const std::string& key) {
-  const std::string style = tag.attribute("style");
-  for (std::string_view rest = style; !rest.empty();) {
-    const std::size_t end = std::min(rest.find(';'), rest.size());
-    const std::string_view each = rest.substr(0, end);
-    const std::size_t colon = std::min(each.find(':'), each.size());
-    if (trimmed(each.substr(0, colon)) == key)
-      return std::string(trimmed(each.substr(std::min(colon + 1, each.size()))));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return tag.attribute(key);
-}
-
 /// Reads elements one after the other; a stack holds what they hand down.
 class SvgDocument {
  public:
-  SvgDocument(std::string_view text, const std::string& name) : scanner_(text, name), name_(name) {}
+  SvgDocument(std::string_view text, const std::string& name)
+      : scanner_(text, name), styles_(text), name_(name) {}
 
   Regions read() {
     XmlTag tag;
@@ -184,6 +172,15 @@ class SvgDocument {
   }
 
  private:
+  /// By its attribute, or by the rules of style sheets, which count more, or by its own style, which counts
+  /// most.
+  std::string property(const XmlTag& tag, const std::string& key) const {
+    std::string own = declaredIn(tag.attribute("style"), key);
+    if (!own.empty()) return own;
+    std::string of_sheet = styles_.property(tag.name, tag.attribute("class"), key);
+    return of_sheet.empty() ? tag.attribute(key) : of_sheet;
+  }
+
   double lengthOf(const XmlTag& tag, const std::string& key) {
     const std::string text = tag.attribute(key);
     if (text.empty()) return 0.0;
@@ -227,12 +224,12 @@ class SvgDocument {
       if (!map) scanner_.refuse(tag.line, "transform is '" + transform + "'; expected transforms of SVG");
       context.mm_from_user = context.mm_from_user * *map;
     }
-    const std::string fill = propertyOf(tag, "fill");
+    const std::string fill = property(tag, "fill");
     if (!fill.empty() && fill != "inherit") context.is_filled = fill != "none";
-    const std::string rule = propertyOf(tag, "fill-rule");
+    const std::string rule = property(tag, "fill-rule");
     if (!rule.empty()) context.rule = rule == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
-    const std::string visibility = propertyOf(tag, "visibility");
-    if (propertyOf(tag, "display") == "none" || isOneOf(kUndrawn, tag.name) || visibility == "hidden")
+    const std::string visibility = property(tag, "visibility");
+    if (property(tag, "display") == "none" || isOneOf(kUndrawn, tag.name) || visibility == "hidden")
       context.is_shown = false;
     return context;
   }
@@ -314,6 +311,7 @@ class SvgDocument {
   }
 
   XmlScanner scanner_;
+  StyleSheet styles_;
   std::string name_;
   std::vector<SvgContext> contexts_;
   std::vector<Polygon> drawn_;

@@ -106,6 +106,24 @@ std::string volumesNote(std::size_t left_out) {
          "them";
 }
 
+/// How far the brim of a part in inclined layers may reach before it along a belt [mm].
+double brimBefore(const JobSettings& settings) {
+  const BrimSettings& brim = settings.planning.adhesion.brim;
+  if (brim.width_mm == 0.0 || brim.where == BrimWhere::Inside) return 0.0;
+  // In whole pitches.
+  return brim.gap_mm + brim.width_mm + 0.5 * settings.planning.bead.width_mm;
+}
+
+/// As far on along the belt as its brim reaches before it, so that this begins where the belt begins.
+Eigen::Isometry3d movedOnBelt(Eigen::Isometry3d bed_from_part, const JobSettings& settings,
+                              const BuildSpace& space) {
+  if (settings.slicing.plane.angle_deg == 0.0 || settings.placement == Placement::AsIs) return bed_from_part;
+  for (int i = 0; i < 3; ++i)
+    if (space.is_endless[static_cast<std::size_t>(i)])
+      bed_from_part.pretranslate(brimBefore(settings) * space.bed_from_axes.linear().col(i));
+  return bed_from_part;
+}
+
 }  // namespace
 
 void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
@@ -138,7 +156,7 @@ PartOnBed partOnBed(SourcePart read, const SliceJob& job, const BuildSpace& spac
   const Box3 box = boxOnBed(on_bed.source);
   requireNearOrigin(box);
   requireFits(box, boundingBox(space), space.name);
-  on_bed.bed_from_part = placePart(box, space, job.settings.placement);
+  on_bed.bed_from_part = movedOnBelt(placePart(box, space, job.settings.placement), job.settings, space);
   return on_bed;
 }
 

@@ -67,8 +67,6 @@ void requirePlateSettings(const JobSettings& settings) {
   if (settings.drop_voids.is_on)
     throw InvalidConfig("drop_voids.fill is true; expected false: plates keep their voids between drops");
   const PlanSettings& planning = settings.planning;
-  if (planning.adhesion.prime.line != PrimeLine::None)
-    throw InvalidConfig("prime.line is set; expected none: plates have no prime line");
   if (!planning.tools.purge_mm3.empty() && settings.plate.order == PlateOrder::ByPart)
     throw InvalidConfig("tools.purge_mm3 is " + numberText(planning.tools.purge_mm3.front()) +
                         " mm3 with plate.order by_part; expected by_layer: one tower stands beside all");
@@ -94,6 +92,18 @@ void requireInclinable(const JobSettings& settings) {
     throw InvalidConfig(
         "tools.purge_mm3 is " + numberText(purge_mm3.front()) +
         " mm3 for a plate in inclined layers; expected none: a prime tower stands on level ones");
+}
+
+/// Where parts stand beside each other, a brim along the feet of one's layers may reach the layers of
+/// another.
+void requireNoFootBrims(const std::vector<PlateItem>& items) {
+  for (const PlateItem& item : items) {
+    const double brim_mm = item.settings.planning.adhesion.brim.width_mm;
+    if (isInclined(item.settings) && brim_mm > 0.0)
+      throw InvalidConfig("brim.width_mm is " + numberText(brim_mm) + " for part '" + item.name +
+                          "' of a plate in inclined layers, on a machine without a belt; expected 0: it is "
+                          "not compared with the parts beside it");
+  }
 }
 
 /// On a belt parts follow each other as they are given.
@@ -129,7 +139,9 @@ JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
     schema.set(setting.key, setting.text);
   }
   settings.placement = Placement::Centre;
+  // Those of a plate lie round all of its parts.
   settings.planning.skirt.count = 0;
+  settings.planning.adhesion.prime.line = PrimeLine::None;
   validate(settings);
   settings.planning.tools.purge_mm3.clear();
   settings.planning.tools.purge_into_infill = false;
@@ -404,6 +416,7 @@ class PlateSlicer {
     Sources sources(job_.settings.input, progress);
     items_ = itemsOf(job_.plate, sources, job_.settings);
     if (is_along_belt) return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
+    requireNoFootBrims(items_);
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
@@ -483,7 +496,8 @@ class PlateSlicer {
     const PlanSettings& settings = job_.settings.planning;
     Toolpath plate =
         order.empty() ? mergedByLayer(parts, settings.travel) : partAfterPart(parts, order, settings.travel);
-    if (!isInclined(job_.settings)) addSkirt(plate, parts, settings);
+    if (!isInclined(job_.settings))
+      addRoundParts(plate, parts, settings, commonReach(items_, boundingBox(space_), job_.settings));
     if (!settings.tools.purge_mm3.empty()) plate = withTower(std::move(plate), settings);
     plate = inPartFrame(std::move(plate), plane);
     addLabels(plate, labelled, job_.settings.plate.labels);

@@ -12,6 +12,7 @@
 
 #include "lamina/geometry/polygon/convex_hull.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/adhesion/prime_line.hpp"
 #include "planning/run_path.hpp"
 #include "planning/skirt.hpp"
 #include "planning/tools/tool_order.hpp"
@@ -202,6 +203,43 @@ Regions firstLayerHull(const std::vector<PlateToolpath>& parts) {
   return hull.empty() ? Regions{} : offset({Region{hull, {}}}, 0.5 * width_mm);
 }
 
+/// Paths before the first layer of a plate, one after the other.
+class PathsBefore {
+ public:
+  PathsBefore(const ToolpathLayer& layer, const PlanSettings& settings)
+      : layer_(layer), settings_(settings) {}
+
+  void add(const FillPath& run, const Bead& bead) {
+    Path path = pathAlong(run, bead, layer_.z_mm,
+                          std::min(settings_.feed.skirt_mm_s, settings_.feed.first_layer_mm_s));
+    path.tool = toolOf(path, settings_.tools);
+    if (!paths_.empty())
+      if (auto travel = travelWithTool(paths_.back(), path, settings_.travel))
+        paths_.push_back(std::move(*travel));
+    paths_.push_back(std::move(path));
+  }
+
+  void layBefore(ToolpathLayer& layer) && {
+    if (paths_.empty()) return;
+    if (!layer.paths.empty()) {
+      Path& first = layer.paths.front();
+      // The part, whose mark is the first event, begins with the way to it.
+      first.events.front().motion = paths_.back().motionCount();
+      paths_.back().events.push_back(std::move(first.events.front()));
+      first.events.erase(first.events.begin());
+      if (auto travel = travelWithTool(paths_.back(), first, settings_.travel))
+        paths_.push_back(std::move(*travel));
+    }
+    layer.paths.insert(layer.paths.begin(), std::make_move_iterator(paths_.begin()),
+                       std::make_move_iterator(paths_.end()));
+  }
+
+ private:
+  const ToolpathLayer& layer_;
+  const PlanSettings& settings_;
+  std::vector<Path> paths_;
+};
+
 }  // namespace
 
 Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel) {
@@ -233,32 +271,24 @@ Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vecto
   return std::move(builder).finish();
 }
 
-void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings) {
-  if (settings.skirt.count == 0 || plate.layers.empty()) return;
+void addRoundParts(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings,
+                   const Box2& bed) {
+  if (plate.layers.empty()) return;
   ToolpathLayer& layer = plate.layers.front();
-  std::vector<Path> paths;
-  for (Polygon& loop : makeSkirt(firstLayerHull(parts), settings)) {
-    const FillPath run{std::move(loop), true, PathRole::Skirt, Deposit::Bead, {}};
-    Path path = pathAlong(run, Bead{settings.bead.width_mm, layer.height_mm}, layer.z_mm,
-                          std::min(settings.feed.skirt_mm_s, settings.feed.first_layer_mm_s));
-    path.tool = toolOf(path, settings.tools);
-    if (!paths.empty())
-      if (auto travel = travelWithTool(paths.back(), path, settings.travel))
-        paths.push_back(std::move(*travel));
-    paths.push_back(std::move(path));
+  const Regions hull = firstLayerHull(parts);
+  const std::vector<Polygon> loops =
+      settings.skirt.count > 0 ? makeSkirt(hull, settings) : std::vector<Polygon>();
+  PathsBefore before(layer, settings);
+  const double width_mm = settings.bead.width_mm;
+  if (settings.adhesion.prime.line != PrimeLine::None) {
+    const Regions occupied = loops.empty() ? hull : offset({{loops.front(), {}}}, 0.5 * width_mm);
+    const AidRuns line =
+        makePrimeLine(settings.adhesion.prime, {layer.z_mm - layer.height_mm, layer.z_mm}, bed, occupied);
+    for (const FillPath& run : *line.runs) before.add(run, line.bead);
   }
-  if (paths.empty()) return;
-  if (!layer.paths.empty()) {
-    Path& first = layer.paths.front();
-    // The part, whose mark is the first event, begins with the way to it.
-    first.events.front().motion = paths.back().motionCount();
-    paths.back().events.push_back(std::move(first.events.front()));
-    first.events.erase(first.events.begin());
-    if (auto travel = travelWithTool(paths.back(), first, settings.travel))
-      paths.push_back(std::move(*travel));
-  }
-  layer.paths.insert(layer.paths.begin(), std::make_move_iterator(paths.begin()),
-                     std::make_move_iterator(paths.end()));
+  for (const Polygon& loop : loops)
+    before.add({loop, true, PathRole::Skirt, Deposit::Bead, {}}, Bead{width_mm, layer.height_mm});
+  std::move(before).layBefore(layer);
 }
 
 }  // namespace lamina

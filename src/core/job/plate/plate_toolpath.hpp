@@ -31,8 +31,12 @@ Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSett
 Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vector<std::size_t>& order,
                        const TravelSettings& travel);
 
-/// Adds a skirt before the first layer: loops around the first layers of all parts.
-void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings);
+/// Adds before the first layer what lies round all parts: a prime line along an edge of the bed, and a skirt,
+/// loops around the first layers of all parts.
+/// @param bed  where the nozzle may be
+/// @throws InvalidConfig if the prime line has no room
+void addRoundParts(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings,
+                   const Box2& bed);
 
 /// A part as it is reported to hosts.
 struct LabelledPart {

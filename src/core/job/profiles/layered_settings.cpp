@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "job/annotations/words_of_dialect.hpp"
+#include "job/profiles/profile_suggestion.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
@@ -107,11 +108,13 @@ std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
     load.set({"machine.urdf", machine}, "--machine", "");
     return {};
   }
-  if (!is_profile && std::filesystem::path(machine).extension() != ".yaml")
+  if (!is_profile && std::filesystem::path(machine).extension() != ".yaml") {
+    const std::string suggested = profileSuggestion(library.names(ProfileKind::Machine), machine);
     throw InvalidConfig("there is no machine '" + machine + "'; expected a profile, one of " +
                         listed(library.names(ProfileKind::Machine)) + "; a machine, one of " +
                         listed(kinematicModelNames()) +
-                        "; or a file: a profile or a cell (.yaml), a description (.urdf)");
+                        "; or a file: a profile or a cell (.yaml), a description (.urdf)" + suggested);
+  }
   std::vector<Profile> chain = library.find(ProfileKind::Machine, machine);
   load.setProfiles(chain, "--machine");
   return chain;
@@ -202,6 +205,7 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   loadProfile(load, ProfileKind::Process, sources.process, library, machine);
   if (!sources.config.empty()) load.setConfig(sources.config);
   for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
+  layered.settings.program.is_diameter_given = givesFilamentDiameter(sources.overrides);
   requireOneMachine(layered);
   load.setMachineDefaults();
   load.leaveOutByMode();

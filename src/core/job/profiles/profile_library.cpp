@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/module.hpp"
+#include "job/profiles/profile_suggestion.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/output_files.hpp"
@@ -98,7 +99,7 @@ std::vector<Profile> ProfileLibrary::find(ProfileKind kind, const std::string& n
       throw InvalidConfig(
           (chain.empty() ? "" : chain.back().path + ":" + std::to_string(chain.back().inherits_line) + ": ") +
           "there is no " + toString(kind) + " '" + next + "'; expected one of " + listed(names(kind)) +
-          ", or a file (.yaml)");
+          ", or a file (.yaml)" + profileSuggestion(names(kind), next));
     if (!chain.empty()) requireNoCycle(chain, path);
     chain.push_back(readProfile(path));
     requireKind(chain.back(), kind);

@@ -188,7 +188,8 @@ class ToolpathBuilder::State {
   explicit State(const ProgramSettings& settings)
       : volume_per_filament_(1.0 / filamentPerVolume(settings)),
         filament_diameter_mm_(settings.filament_diameter_mm),
-        stated_diameter_mm_(settings.filament_diameter_mm) {}
+        stated_diameter_mm_(settings.filament_diameter_mm),
+        is_diameter_given_(settings.is_diameter_given) {}
 
   void readComment(std::string_view comment) {
     if (comment == kStartCodeEnds) {
@@ -202,7 +203,8 @@ class ToolpathBuilder::State {
     }
     takes_events_ &= comment != "end of the part";
     is_over_ |= comment == kEndCodeBegins;
-    if (const auto diameter_mm = statedFilamentDiameter(comment)) stated_diameter_mm_ = *diameter_mm;
+    const auto diameter_mm = statedFilamentDiameter(comment);
+    if (diameter_mm && !is_diameter_given_) stated_diameter_mm_ = *diameter_mm;
     if (auto mark = readPartMark(comment)) add(std::move(*mark));
     readToolOffset(comment, tool_offsets_mm_);
     if (!readFrameComment(comment, frame_)) return;
@@ -347,6 +349,7 @@ class ToolpathBuilder::State {
   double volume_per_filament_;
   double filament_diameter_mm_;  ///< of the settings
   double stated_diameter_mm_;    ///< by the program, else as set
+  bool is_diameter_given_;       ///< so that what the program states does not count
   bool is_over_ = false;         ///< end code has begun
   StatedFrame frame_;
   std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that reports its frame
