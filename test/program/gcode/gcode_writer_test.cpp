@@ -207,6 +207,19 @@ TEST(GcodeWriter, RefusesANozzleThatTurnsBeforeWritingAnything) {
   EXPECT_FALSE(is_written);
 }
 
+// Such a toolpath is no five-axis program either.
+TEST(GcodeWriter, HoldsANozzleThatTurnsByLessThanAHundredthOfADegree) {
+  Toolpath toolpath = line();
+  const std::string straight = gcodeWriterWritten(toolpath, plainSettings());
+  const auto leaning = [](double angle_deg) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle_deg * M_PI / 180.0, Point3::UnitY()) * nozzleDown());
+  };
+  toolpath.layers[0].paths[1].orientation = leaning(0.009);
+  EXPECT_EQ(gcodeWriterWritten(toolpath, plainSettings()), straight);
+  toolpath.layers[0].paths[1].orientation = leaning(0.011);
+  EXPECT_THROW(gcodeWriterWritten(toolpath, plainSettings()), InvalidInput);
+}
+
 TEST(GcodeWriter, RefusesWhatIsNoNumber) {
   Toolpath toolpath = line();
   toolpath.layers[0].paths[1].points[1].y() = std::nan("");

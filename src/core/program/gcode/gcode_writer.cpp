@@ -32,6 +32,7 @@ constexpr double kApproach = 1e-6;  // mm
 
 constexpr double kLargestWritten = 1e7;  // mm and mm/s: 10 km, far inside what the counts of units can hold
 constexpr double kSameToolAxis = 1e-6;   // rad: what rounding leaves of a rotation
+constexpr double kHeldToolAxis = toRadians(0.01);  // rad: as machines without rotary joints hold it
 
 [[noreturn]] void refuse(const Path& path, std::size_t waypoint, const std::string& what) {
   throw InvalidInput(std::string(toString(path.role)) + " path, waypoint " + std::to_string(waypoint) + ": " +
@@ -66,7 +67,7 @@ void requireToolAxis(const Path& path, const Point3& tool_axis) {
   for (std::size_t i = 0; i < orientations.size(); ++i) {
     const Point3 wanted = orientations[i] * Point3::UnitZ();
     const double turn = angleBetween(tool_axis, wanted);
-    if (!(turn <= kSameToolAxis))
+    if (!(turn <= kHeldToolAxis))
       refuse(path, i,
              "the nozzle would have to turn by " + numberText(toDegrees(turn)) +
                  " deg; a three-axis program holds it as at the first waypoint");
