@@ -292,6 +292,14 @@ TEST(GravityTable, AWallIsLaidWithinTheLimitsOfItsPlate) {
   }
 }
 
+// From 180 deg on the plate would have to turn from 180 to -180 deg on one side, and from 0 to -360 deg on
+// the other: one of them fits, as from 0 deg.
+TEST(GravityTable, AWallThatFitsTiltedToTheOtherSideIsLaid) {
+  const JointPath path = jointsOfWall(180.0);
+  ASSERT_TRUE(path.isRunnable()) << path.faults.front().reason;
+  for (const JointValues& values : path.values) EXPECT_LE(std::abs(values[7]), kPlateLimit + 1e-9);
+}
+
 // From 90 deg on the plate would have to turn from 90 to -270 deg. The ring that leans by 40 deg lets it lag
 // by acos((cos 10 - cos² 40) / sin² 40) = 15.6 deg. It fits if it begins 70 to 110 deg higher.
 TEST(GravityTable, AWallThatBeginsWhereItDoesNotFitIsRefusedWithWhereItFits) {

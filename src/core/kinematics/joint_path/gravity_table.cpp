@@ -72,8 +72,18 @@ class TableLeading {
   TableLeading(const GravityTable& table, const std::vector<Station>& stations, const GravityRule& rule)
       : table_(table), stations_(stations), at_(passedAt(stations)), rule_(rule) {}
 
+  /// Tilted the other way, the plate is half a turn on, which may be where its limits leave room.
   std::vector<TableValues> values() const {
-    const std::vector<Eigen::Vector2d> exact = anglesOf(branch());
+    const int chosen = branch();
+    std::vector<TableValues> values = valuesOf(chosen);
+    if (isWithinTurns(values) || wayOf(1 - chosen).outside > kAlike) return values;
+    std::vector<TableValues> others = valuesOf(1 - chosen);
+    return isWithinTurns(others) ? others : values;
+  }
+
+ private:
+  std::vector<TableValues> valuesOf(int branch) const {
+    const std::vector<Eigen::Vector2d> exact = anglesOf(branch);
     const std::vector<double> tilts = tautString(tiltGates(exact));
     const std::vector<double> turns = turnsFor(tilts);
     std::vector<TableValues> values(stations_.size());
@@ -81,7 +91,13 @@ class TableLeading {
     return values;
   }
 
- private:
+  bool isWithinTurns(const std::vector<TableValues>& values) const {
+    std::vector<double> turns;
+    turns.reserve(values.size());
+    for (const TableValues& each : values) turns.push_back(each.turn);
+    return fitsLimits(turns);
+  }
+
   std::vector<Eigen::Vector2d> anglesOf(int branch) const {
     std::vector<Eigen::Vector2d> angles;
     angles.reserve(stations_.size());
