@@ -482,12 +482,16 @@ TEST(OperatorSite, GivesSendersTheStateOnly) {
   EXPECT_EQ(of_viewer["queue"][0]["state"], "AllowedToStart");
   EXPECT_TRUE(of_viewer["loop"].is_null());
   site.site.observe(site.now);
+  EXPECT_FALSE(site.site.live(WebRole::Viewer).text) << "nobody hears it";
+  const StateBell::Ear ear(site.site.bell());
+  site.site.observe(site.now);
   EXPECT_EQ(site.site.live(WebRole::Sender).text->find("queue"), std::string::npos);
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find("queue"), std::string::npos);
 }
 
 TEST(OperatorSite, ReportsThatTheCellHasGoneSilent) {
   SiteOfFakes site;
+  const StateBell::Ear ear(site.site.bell());
   site.desk.seen.heard_s = site.now.steady_s;
   site.site.observe({site.now.steady_s + 3.0, site.now.utc_s});
   EXPECT_NE(site.site.live(WebRole::Viewer).text->find(R"("is_fresh":true)"), std::string::npos);

@@ -13,6 +13,7 @@
 #include "lamina/cell/production_cell.hpp"
 #include "lamina/web/cell_desk.hpp"
 #include "lamina/web/http_message.hpp"
+#include "lamina/web/state_bell.hpp"
 #include "lamina/web/upload_room.hpp"
 #include "lamina/web/web_access.hpp"
 #include "lamina/web/web_store.hpp"
@@ -102,7 +103,8 @@ class OperatorSite {
   void noteRefusal(const HttpPeer& peer, const std::string& what, const std::string& reason,
                    const CellTime& now);
 
-  /// Updates history and state from the cell; to be called about ten times a second.
+  /// Updates history and state from the cell; to be called about ten times a second. The state is written
+  /// only while somebody hears its bell, which then is rung for each new one.
   void observe(const CellTime& now);
 
   /// The state that is sent to WebSockets, as JSON, and the number of its latest change.
@@ -110,8 +112,9 @@ class OperatorSite {
     std::uint64_t number = 0;
     std::shared_ptr<const std::string> text;
   };
-  /// The state as a role may see it.
+  /// The state as a role may see it; without a text until `observe` is called while its bell is heard.
   Live live(WebRole role) const;
+  StateBell& bell();
   /// Whether the owner of a WebSocket is still identified as before; false once its session has ended or its
   /// token was removed.
   bool isStillIn(const WebIdentity& who, const HttpHead& head, const CellTime& now);

@@ -137,6 +137,7 @@ struct OperatorSite::Inside {
   RateLimit refusals;
   RateLimit all_refusals;
   std::map<std::int64_t, double> used_s;
+  StateBell bell;
   std::array<Live, 2> lives;  // for those who see the state only, and for all others
   Frame frame;
   std::mutex keys_mutex;  // of the keys: taken while the disk is written to
@@ -414,15 +415,26 @@ void OperatorSite::observe(const CellTime& now) {
     const std::lock_guard<std::mutex> lock(inside_->parts.history_mutex);
     inside_->parts.history.observe(seen, now);
   }
+  if (!inside_->bell.isHeard()) {
+    const std::lock_guard<std::mutex> lock(inside_->mutex);
+    for (Live& live : inside_->lives) live.text.reset();
+    return;
+  }
+  bool is_new = false;
   std::size_t place = 0;
   for (const WebRole role : {WebRole::Sender, WebRole::Viewer}) {
     auto text = std::make_shared<const std::string>(
         stateJson(inside_->parts, role, now).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     const std::lock_guard<std::mutex> lock(inside_->mutex);
     Live& live = inside_->lives.at(place++);
-    if (!live.text || *live.text != *text) live = {live.number + 1, std::move(text)};
+    if (live.text && *live.text == *text) continue;
+    live = {live.number + 1, std::move(text)};
+    is_new = true;
   }
+  if (is_new) inside_->bell.ring();
 }
+
+StateBell& OperatorSite::bell() { return inside_->bell; }
 
 OperatorSite::Live OperatorSite::live(WebRole role) const {
   const std::lock_guard<std::mutex> lock(inside_->mutex);

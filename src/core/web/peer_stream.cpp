@@ -127,6 +127,13 @@ bool PeerSocket::waitForBytes(double seconds) {
   return wait(POLLIN, seconds);
 }
 
+bool PeerSocket::waitForBytesBeside(int descriptor, double seconds) {
+  if (ssl_ && SSL_pending(ssl_.get()) > 0) return true;
+  std::array<pollfd, 2> polls{{{descriptor_, POLLIN, 0}, {descriptor, POLLIN, 0}}};
+  ::poll(polls.data(), polls.size(), static_cast<int>(std::ceil(std::max(0.0, seconds) * 1000.0)));
+  return polls[0].revents != 0;
+}
+
 std::size_t PeerSocket::unsent() const {
   int bytes = 0;
   return ::ioctl(descriptor_, SIOCOUTQ, &bytes) == 0 && bytes > 0 ? static_cast<std::size_t>(bytes) : 0;

@@ -49,6 +49,8 @@ class PeerSocket {
   /// Waits until there are bytes to read.
   /// @return false if there are none within that time
   bool waitForBytes(double seconds);
+  /// The same, and no longer than until another descriptor is readable.
+  bool waitForBytesBeside(int descriptor, double seconds);
 
   /// Number of bytes written that the other host has not received yet.
   std::size_t unsent() const;

@@ -40,7 +40,7 @@ using boost::system::error_code;
 constexpr std::uint32_t kMostHeader = 16384;  // bytes
 constexpr std::size_t kMostBuffered = 65536;  // bytes
 constexpr std::size_t kUploadStep = 65536;    // bytes that count as progress
-constexpr double kLiveInterval = 0.1;         // [s] between looks at the state
+constexpr double kLiveInterval = 0.5;         // [s] between looks whether a stream without news is to end
 constexpr double kFrameInterval = 0.2;        // [s] between pictures of the camera
 constexpr double kLeavingChecked = 5.0;       // [s] between looks whether a stream's session still is
 constexpr int kSilentPings = 3;
@@ -308,6 +308,7 @@ class Connection {
       return refuse(400, "no_socket", "the request is no WebSocket of version 13");
     if (!place_.table.use(number_, ConnectionUse::Stream))
       return refuse(503, "too_many", "too many uploads and streams at a time; expected fewer");
+    StateBell::Ear ear(place_.site.bell());
     if (!send("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: "
               "Upgrade\r\nSec-WebSocket-Accept: " +
               webSocketAccept(key) + "\r\n\r\n"))
@@ -319,10 +320,11 @@ class Connection {
     std::uint64_t sent = 0;
     const double ping_s = place_.settings.patience.ping_s;
     while (!place_.is_ending && clock_.now() - heard_s < ping_s * kSilentPings) {
-      if (socket_.waitForBytes(kLiveInterval)) {
+      if (socket_.waitForBytesBeside(ear.descriptor(), kLiveInterval)) {
         if (!takeFrames(frames)) return false;
         heard_s = clock_.now();
       }
+      ear.clear();  // before the look, so that no later state goes by
       if (clock_.now() - checked_s > kLeavingChecked) {
         checked_s = clock_.now();
         if (!place_.site.isStillIn(admitted.who, head, timeNow())) break;
