@@ -78,6 +78,13 @@ TEST(ResumeSteps, AreNotConfirmedWhereThePlaceHasBecomeAnotherOne) {
                                 "the 'place' that was confirmed begins after 12.25 mm of beads, the job now "
                                 "after 15 mm; expected the same to 0.5 mm: look at it, and confirm it anew"});
   EXPECT_EQ(against(15.6).size(), 1U);
+  found.begin_mm.reset();
+  found.place = "it begins anew";
+  EXPECT_EQ(against(12.25),
+            std::vector<std::string>{
+                "the 'place' that was confirmed begins after 12.25 mm of beads, and the job now "
+                "elsewhere: it begins anew; look at it, and confirm it anew"});
+  EXPECT_TRUE(against({}).empty());
   found.is_by_place = false;
   EXPECT_TRUE(against(12.25).empty()) << "a counter of lines proves its place";
 }

@@ -11,6 +11,7 @@
 namespace lamina {
 namespace {
 
+constexpr char kPlace[] = "place";
 constexpr double kSamePlace = 0.5;  // mm of bead: what a robot at rest reports varies less
 
 ResumeStep linkStep(const ResumeConditions& found) {
@@ -21,10 +22,10 @@ ResumeStep linkStep(const ResumeConditions& found) {
 
 /// A counter of lines proves a place. Where a robot stands does not: somebody may have moved it.
 ResumeStep placeStep(const ResumeConditions& found) {
-  if (!found.refusals.empty()) return {"place", ResumeStepState::Waits, listed(found.refusals, "; ")};
-  if (found.place.empty()) return {"place", ResumeStepState::Waits, "where the job goes on is not known yet"};
-  if (!found.is_by_place) return {"place", ResumeStepState::Done, found.place};
-  return {"place", ResumeStepState::Person, found.place, found.begin_mm};
+  if (!found.refusals.empty()) return {kPlace, ResumeStepState::Waits, listed(found.refusals, "; ")};
+  if (found.place.empty()) return {kPlace, ResumeStepState::Waits, "where the job goes on is not known yet"};
+  if (!found.is_by_place) return {kPlace, ResumeStepState::Done, found.place};
+  return {kPlace, ResumeStepState::Person, found.place, found.begin_mm};
 }
 
 ResumeStep readyStep(const ResumeConditions& found) {
@@ -63,6 +64,10 @@ std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
                           numberText(*confirmed.begin_mm) + " mm of beads, the job now after " +
                           numberText(*step.begin_mm) + " mm; expected the same to " + numberText(kSamePlace) +
                           " mm: look at it, and confirm it anew");
+    } else if (step.name == kPlace && confirmed.begin_mm && !step.begin_mm) {
+      sentences.push_back(
+          "the '" + step.name + "' that was confirmed begins after " + numberText(*confirmed.begin_mm) +
+          " mm of beads, and the job now elsewhere: " + step.text + "; look at it, and confirm it anew");
     }
   }
   return sentences;
