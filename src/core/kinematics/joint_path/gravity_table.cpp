@@ -95,7 +95,7 @@ class TableLeading {
     std::vector<double> turns;
     turns.reserve(values.size());
     for (const TableValues& each : values) turns.push_back(each.turn);
-    return fitsLimits(turns);
+    return fitsLimits(turns, TurnBack::AnyTravel);
   }
 
   std::vector<Eigen::Vector2d> anglesOf(int branch) const {
