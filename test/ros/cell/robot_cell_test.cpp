@@ -203,6 +203,11 @@ void resumesOnTheBead(RobotCell& cell) {
   EXPECT_TRUE(isIn(place(), "the nozzle came to rest on it after")) << place();
   EXPECT_TRUE(isIn(place(), "layer 0, path 0, waypoint 1")) << place();
   EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
+  cell.confirmed_length = {0.039};
+  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted) << "no more than 36 mm were laid";
+  EXPECT_TRUE(isIn(cell.reason, "that was confirmed begins after 39 mm of beads")) << cell.reason;
+  for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
+    if (step.name == "place") cell.confirmed_length = {step.begin_length};
   const double rested = cell.machine.tip(cell.machine.reports.back()).x();
   ASSERT_LT(std::abs(rested), kHalf - 4.0);
   ASSERT_TRUE(cell.starts(Command::RESUME)) << cell.reason;
@@ -229,11 +234,6 @@ TEST(RobotCell, ResumesTheJobOfAKilledDriverOnItsBead) {
   RobotCell cell("robot_killed", 0.0, 10.0);
   cell.enqueueReleased();
   cell.bringToIdle();
-  cell.confirmed_length = {0.039};
-  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted) << "no more than 36 mm were laid";
-  EXPECT_TRUE(isIn(cell.reason, "that was confirmed begins after 39 mm of beads")) << cell.reason;
-  for (const lamina_msgs::ResumeStep& step : cell.status.resume_steps)
-    if (step.name == "place") cell.confirmed_length = {step.begin_length};
   cell.bringToBead();
   ASSERT_TRUE(
       waitUntil([&] { return cell.status.lines_acknowledged > 0 && cell.status.laid_length > 0.002; }));
