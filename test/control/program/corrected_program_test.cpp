@@ -252,7 +252,7 @@ TEST(CorrectedProgram, HoldsNoMoreThanTheStationsOfAMap) {
   const Toolpath part = beadPart();
   CorrectionMap map = evenMap(part, 0, {0.1, 0.0, 0.0});
   for (PathCorrection& path : map.paths) {
-    path.spacing_mm = 1e-9;  // 40 mm of them would be 4e10 pieces
+    path.spacing_mm = 0.001;  // the least: 40 mm of them would be 40 000 pieces
     path.stations.resize(2);
   }
   const std::string program = programOf(part);

@@ -124,14 +124,12 @@ TEST(BeltTravels, AreAsTheyWereWhereNoBeltRunsBack) {
 
 // As a machine of one's own is described by hand: off by 2e-6 rad, where 0.01 deg is accepted.
 TEST(BeltTravels, StayInTheLayersOfABeltDescribedWithFewDigits) {
-  const test::ScratchFolder folder;
   std::string description = readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/belt_45.urdf");
   const std::string digits = "0.785398163397448";
   ASSERT_NE(description.find(digits), std::string::npos);
   description.replace(description.find(digits), digits.size(), "0.7854");
-  writeFile(folder.file("belt.urdf"), description);
   Toolpath toolpath = twoLayers(hopWithin(), hopBetween());
-  keepForward(toolpath, folder.file("belt.urdf").c_str());
+  keepBeltForward(toolpath, buildSpaceFromUrdf(description), Eigen::Isometry3d::Identity(), MotionLimits{});
   EXPECT_EQ(toolpath.layers[0].paths[1].points.size(), 3u);
 }
 
