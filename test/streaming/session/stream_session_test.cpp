@@ -290,6 +290,16 @@ TEST(StreamSession, ReportsEveryStateInOrder) {
                                               PackmlState::Completing, PackmlState::Complete}));
 }
 
+TEST(StreamSession, GoesOnWithoutAProgressFileWhoseNameNoFileSystemTakes) {
+  const RecordedMachine machine(0.0);
+  const test::ScratchFolder folder;
+  SessionOptions options;
+  options.journal.path = folder.file(std::string(300, 'p'));
+  const StreamSession session(spiral(20), impatient(), {machine->pty(), 115200}, {}, options);
+  EXPECT_EQ(finished(session).state, PackmlState::Complete) << session.status().failure.message;
+  EXPECT_NE(session.status().message.find("the job goes on"), std::string::npos) << session.status().message;
+}
+
 TEST(EmulatedMachine, RefusesToReplaceAFileByItsLink) {
   EXPECT_THROW(EmulatedMachine({}, {}, {"/etc/passwd", {}}, {}), FileError);
   EXPECT_THROW(EmulatedMachine({}, {}, {"/nowhere/at/all", {}}, {}), FileError);

@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <future>
 #include <limits>
 #include <memory>
@@ -142,7 +143,7 @@ void SessionJournal::keep(const Streamer& streamer, double now) {
     if (!unrecorded.empty()) status.state = PackmlState::Aborted;
     writer_->record(status, now);
     if (!unrecorded.empty()) throw FileError("the corrections are not recorded: " + unrecorded);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // of a file system too: a bad disk must not end the process
     failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
     writer_.reset();
   }
