@@ -25,22 +25,12 @@ JobProgress progressOf(const StreamStatus& status) {
   return progress;
 }
 
-/// The file is made by the first write. What was unfinished there is kept, unless it is gone on with.
-UploadJournal::Writer fileWriter(const StreamJournal& where) {
-  return [path = where.path, goes_on = where.unfinished.has_value()](const JournalledJob& job) {
-    return [path, goes_on, job, file = std::shared_ptr<ProgressFile>()](const JobProgress& progress) mutable {
-      if (file) return file->write(stampedNow(progress));
-      if (!goes_on) keepUnfinished(path);
-      file = std::make_shared<ProgressFile>(path, job, stampedNow(progress));
-    };
-  };
-}
-
 }  // namespace
 
 UploadJournal::UploadJournal(const StreamJournal& where, const StreamableProgram& program,
                              const std::string& port)
-    : UploadJournal(where, program, port, fileWriter(where)) {}
+    : UploadJournal(where, program, port,
+                    [where](const JournalledJob& job) { return fileWriter(where, job); }) {}
 
 UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                              Writer writer)
