@@ -3,7 +3,10 @@
 // Runs start-ups on emulated machines over pseudo-terminals, a thousand times as fast as real.
 #include "lamina/startup/startup_session.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +15,7 @@
 #include <mutex>
 #include <thread>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "startup/large_gantry.hpp"
@@ -24,6 +28,24 @@ using StartupSessionStep = StartupStep;
 using State = StartupState;
 
 constexpr double kSpeedUp = 1000.0;
+
+/// Lets the process open no file while it lives.
+class NoFreeFile {
+ public:
+  NoFreeFile() {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::close(next);
+    const rlimit none{static_cast<rlim_t>(next), before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  }
+  ~NoFreeFile() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  NoFreeFile(const NoFreeFile&) = delete;
+  NoFreeFile& operator=(const NoFreeFile&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 class StartupSessionTest : public testing::Test {
  protected:
@@ -133,6 +155,27 @@ TEST_F(StartupSessionTest, LosesNothingToAJobThatDoesNotBegin) {
   EXPECT_EQ(codeOf([&] { session_->beginJob({"part", 0, 0}, [] { return false; }); }), ErrorCode::Cancelled);
   EXPECT_EQ(statusOf(StartupSessionStep::HomeX).state, State::Done);
   EXPECT_EQ(stream("G90\nG1 X10 F6000").state, PackmlState::Complete) << "the port is free";
+}
+
+TEST_F(StartupSessionTest, FreesThePortThoughTheProgramOfTheJobCannotBeReadAgain) {
+  settings_.skip += " home_x home_y home_z place_sheet draw_vacuum home_z_again map_heights";
+  plugIn();
+  startSession();
+  run();
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  writeFile(folder_.file("part.gcode"), "G1 X1\n");
+  const auto program = StreamableProgram::fromFile(folder_.file("part.gcode"));
+  session_->beginJob({program.name(), 0, 0}, [] { return true; });
+  StreamStatus status;
+  status.state = PackmlState::Complete;
+  status.lines_sent = 1;
+  {
+    const NoFreeFile none;
+    EXPECT_EQ(codeOf([&] { session_->endJob(program, status); }), ErrorCode::Ok);
+  }
+  EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).state, State::Pending) << "what was sent is not known";
+  EXPECT_EQ(codeOf([&] { session_->abort(); }), ErrorCode::Ok) << "the port is free";
 }
 
 TEST_F(StartupSessionTest, StopsTheCheckBeforeAJobThatIsNotToBegin) {

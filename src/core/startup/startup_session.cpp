@@ -351,10 +351,10 @@ void StartupSession::Impl::endJob(const StreamableProgram& program, const Stream
   sent_lines_.reset();
   Lock lock(mutex_);
   job_.reset();
+  port_user_ = PortUser::Nobody;
   noteSent(program, status);
   const ErrorCode code = status.failure.code;
   if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.forgetMachine(status.failure.message);
-  port_user_ = PortUser::Nobody;
   wake_.notify_all();
   notify(lock);
 }
@@ -529,11 +529,15 @@ void StartupSession::Impl::noteSent(const StreamableProgram& program, const Stre
   const ErrorCode code = status.failure.code;
   if (program.hasChanged())
     return startup_.forgetMachine(program.name() + " was changed while it was streamed");
-  ProgramCursor cursor = program.open();
-  for (std::uint64_t line = 0; line < status.lines_sent; ++line) {
-    const auto command = cursor.next();
-    if (!command) break;
-    startup_.onCommandSent(command->command);
+  try {
+    ProgramCursor cursor = program.open();
+    for (std::uint64_t line = 0; line < status.lines_sent; ++line) {
+      const auto command = cursor.next();
+      if (!command) break;
+      startup_.onCommandSent(command->command);
+    }
+  } catch (const Error& error) {
+    startup_.forgetMachine(error.what());  // what was sent is not known
   }
   if (code != ErrorCode::Cancelled) return;
   startup_.onCommandSent("M410");
