@@ -128,6 +128,30 @@ TEST(JobJournal, KeepsWhatWasKnownOfAJobThatDidNotComplete) {
   EXPECT_EQ(readJournal(path + ".before").progress.taken_through, 2U);
 }
 
+TEST(JobJournal, KnowsEveryExecutionThatHasBegun) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto execute = [&](const std::string& execution, PackmlState end) {
+    JournalledJob job = jobOf(journalled("G28\n"));
+    job.execution = execution;
+    JobProgress known;
+    known.state = end;
+    keepUnfinished(path);
+    static_cast<void>(ProgressFile(path, job, known));
+  };
+  EXPECT_EQ(recordOf(path, "first"), ExecutionRecord::None);
+  execute("first", PackmlState::Execute);
+  EXPECT_EQ(recordOf(path, "first"), ExecutionRecord::Unfinished);
+  execute("second\none", PackmlState::Complete);
+  execute("third", PackmlState::Execute);
+  execute("", PackmlState::Execute);
+  execute("", PackmlState::Execute);
+  for (const char* begun : {"first", "second\none", "third"})
+    EXPECT_THROW(recordOf(path, begun), InvalidInput) << begun;
+  EXPECT_EQ(recordOf(path, "one"), ExecutionRecord::None);
+  EXPECT_EQ(recordOf(path, "fourth"), ExecutionRecord::None);
+}
+
 TEST(JobJournal, KeepsTheEndOfAJob) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");

@@ -32,10 +32,12 @@ SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& pro
       write_([placed = where_](const JournalledJob& job) { return fileWriter(placed, job); }),
       revision_(std::move(revision)) {
   const std::optional<RevisionRecord> record = revision_ ? revision_->record() : std::nullopt;
-  if (revision_ && !record) where_ = {};
+  is_repeatable_ = !revision_ || record;
+  if (!is_repeatable_ && where_.execution.empty()) where_ = {};
   job_.line_base = anyLineBase();
   if (where_.path.empty()) return;
   if (where_.unfinished) {
+    is_stated_ = true;
     job_ = where_.unfinished->job;
     return;
   }
@@ -89,17 +91,32 @@ void SessionJournal::keep(const Streamer& streamer, double now) {
       begin(streamer);
     }
     followLink(streamer);
-    StreamStatus status = streamer.status();
-    if (isCutOff()) status.state = PackmlState::Execute;
+    StreamStatus status = stated(streamer);
     const std::string unrecorded = revision_ ? revision_->recordFailure() : std::string();
     // What is sent from now on cannot be made again: the job is none to go on with.
     if (!unrecorded.empty()) status.state = PackmlState::Aborted;
     writer_->record(status, now);
+    is_stated_ = true;
     if (!unrecorded.empty()) throw FileError("the corrections are not recorded: " + unrecorded);
   } catch (const std::exception& error) {  // of a file system too: a bad disk must not end the process
-    failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
+    failure_ = error.what();
+    failure_ += forbidsTheFirstLine() ? "; no line of execution " + where_.execution +
+                                            " was sent, since nothing states that it has begun"
+                                      : "; the job goes on, but could not be gone on with after a fault";
     writer_.reset();
   }
+}
+
+/// What is stated of the job. One whose lines cannot be made again is none to go on with, and has the lines
+/// of its program.
+StreamStatus SessionJournal::stated(const Streamer& streamer) const {
+  StreamStatus status = streamer.status();
+  if (isCutOff()) status.state = PackmlState::Execute;
+  if (is_repeatable_) return status;
+  if (status.state != PackmlState::Complete) status.state = PackmlState::Aborted;
+  status.lines_sent = std::min(status.lines_sent, job_.lines_total);
+  status.lines_acknowledged = std::min(status.lines_acknowledged, job_.lines_total);
+  return status;
 }
 
 }  // namespace lamina

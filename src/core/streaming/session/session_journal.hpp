@@ -24,7 +24,8 @@ class SessionJournal {
   using Writer = std::function<ProgressKeeper::Write(const JournalledJob& job)>;
 
   /// @throws FileError if the program is gone
-  /// @param revision  of the lines, or null; progress of revised lines is kept only with a record of them
+  /// @param revision  of the lines, or null; without a record of revised lines only executions are stated, as
+  ///   jobs that cannot go on
   SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                  std::shared_ptr<const ProgramRevision> revision);
   /// Replaces the writer of the file by another one.
@@ -39,13 +40,17 @@ class SessionJournal {
   void keep(const Streamer& streamer, double now);
   /// Whether the link was lost and did not come back for the safe stop. The file then states no abort, and
   /// the job can be resumed on the machine that went on.
-  bool isCutOff() const { return writer_ && is_cut_off_ && !is_stop_sent_; }
+  bool isCutOff() const { return writer_ && is_cut_off_ && !is_stop_sent_ && is_repeatable_; }
   /// Why progress is no longer stored; empty if it is.
   const std::string& failure() const { return failure_; }
+  /// Whether the file does not state the execution that is to begin, so that no line of it may be sent: who
+  /// asks for it once more would have it begun once more.
+  bool forbidsTheFirstLine() const { return !failure_.empty() && !where_.execution.empty() && !is_stated_; }
 
  private:
   void begin(const Streamer& streamer);
   void followLink(const Streamer& streamer);
+  StreamStatus stated(const Streamer& streamer) const;
   /// As of a job that may have any number of lines, where it is revised.
   std::uint64_t mostLines() const;
 
@@ -55,6 +60,8 @@ class SessionJournal {
   JournalledJob job_;
   std::shared_ptr<const ProgramRevision> revision_;
   std::unique_ptr<JournalWriter> writer_;
+  bool is_repeatable_ = true;  ///< whether the lines that are sent can be made again
+  bool is_stated_ = false;     ///< whether the file states the job
   bool has_begun_ = false;
   bool is_cut_off_ = false;    ///< the link is lost
   bool is_stop_sent_ = false;  ///< a safe stop may have reached the machine

@@ -142,11 +142,16 @@ class LinkSession final : public SessionKind {
   /// Passes on what the streamer wants after each event.
   void flush() {
     if (is_closed_) return;
-    const std::string output = streamer_.takeOutput();
+    std::string output = streamer_.takeOutput();
     journal_.keep(streamer_, clock_.now());
+    if (journal_.forbidsTheFirstLine() && !std::exchange(is_refused_, true)) {
+      streamer_.abort({ErrorCode::FileError, journal_.failure()}, clock_.now());
+      output = streamer_.takeOutput();  // in place of the first lines
+    }
     if (!output.empty()) transport_->send(output);
     StreamStatus status = streamer_.status();
-    if (!journal_.failure().empty()) status.message = journal_.failure();
+    if (!journal_.failure().empty() && !is_refused_) status.message = journal_.failure();
+    if (is_refused_) status.lines_sent = 0;
     if (isFinal(status.state) && journal_.isCutOff()) status.failure.message += remarkOnTheMachine();
     record_.publish(std::move(status), streamer_.takeStateChanges(), clock_.now());
     if (isFinal(streamer_.status().state)) {
@@ -181,6 +186,7 @@ class LinkSession final : public SessionKind {
   Streamer streamer_;
   std::unique_ptr<Transport> transport_;
   DeadlineTimer timer_;
+  bool is_refused_ = false;  ///< no line may be sent, by the journal
   bool is_closed_ = false;
   std::thread thread_;
 };

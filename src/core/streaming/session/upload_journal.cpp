@@ -59,6 +59,10 @@ void UploadJournal::keep(const UploadJob& job, double now) {
   const std::string failure = keeper_->failure(now);
   if (failure.empty()) return;
   failure_ = failure + "; the print goes on, but how far it is is no longer kept";
+  const bool is_stated = where_.unfinished || keeper_->hasWritten();
+  if (!is_stated && !job_.execution.empty())
+    prohibition_ = failure + "; execution " + job_.execution +
+                   " was not started, since nothing states that it has begun";
   keeper_.reset();
 }
 
@@ -69,7 +73,7 @@ bool UploadJournal::isAwaited(const UploadJob& job) const {
 
 StreamStatus UploadJournal::withWhatIsKnown(const UploadJob& job) const {
   StreamStatus status = job.status();
-  if (!failure_.empty()) status.message = failure_;
+  if (!failure_.empty() && prohibition_.empty()) status.message = failure_;
   const bool is_not_there = isFinal(status.state) && !job.mayBeStarted();
   if (where_.unfinished && is_not_there)
     status.failure.message += "; known is: " + describeProgress(*where_.unfinished);
