@@ -9,10 +9,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 #include "lamina/base/atomic_file.hpp"
@@ -28,6 +32,47 @@ using StartupSessionStep = StartupStep;
 using State = StartupState;
 
 constexpr double kSpeedUp = 1000.0;
+
+/// A machine that says that it is busy, for ever, and takes nothing: one that waits for a person.
+class BusyMachine {
+ public:
+  BusyMachine() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+    EXPECT_EQ(::grantpt(master_), 0);
+    EXPECT_EQ(::unlockpt(master_), 0);
+    std::array<char, 64> name{};
+    EXPECT_EQ(::ptsname_r(master_, name.data(), name.size()), 0);
+    port_ = name.data();
+    slave_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY);  // what is written before anybody opens it is kept
+    thread_ = std::thread([this] { speak(); });
+  }
+  ~BusyMachine() {
+    is_over_ = true;
+    thread_.join();
+    ::close(slave_);
+    ::close(master_);
+  }
+  BusyMachine(const BusyMachine&) = delete;
+  BusyMachine& operator=(const BusyMachine&) = delete;
+
+  const std::string& port() const { return port_; }
+
+ private:
+  void speak() const {
+    constexpr std::string_view kBusy = "echo:busy: paused for user\n";
+    std::array<char, 256> heard{};
+    while (!is_over_) {
+      static_cast<void>(::write(master_, kBusy.data(), kBusy.size()) +
+                        ::read(master_, heard.data(), heard.size()));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  int master_;
+  int slave_ = -1;
+  std::string port_;
+  std::atomic<bool> is_over_{false};
+  std::thread thread_;
+};
 
 /// Lets the process open no file while it lives.
 class NoFreeFile {
@@ -239,6 +284,21 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItIsAborted) {
   EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).reason.substr(0, 18), "aborted on request");
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
   EXPECT_TRUE(hasRun("M42 P1 S0"));
+}
+
+TEST_F(StartupSessionTest, WaitsNoLongerThanForASafeStopForAMachineThatIsBusyForEver) {
+  auto machine = std::make_unique<BusyMachine>();
+  std::filesystem::create_symlink(machine->port(), port());
+  stream_.safe_stop_timeout_s = 0.5;
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  session_->abort();
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  EXPECT_NE(statusOf(StartupSessionStep::HeatBed)
+                .reason.find("look after it: it has not run startup.abort_code within 0.5 s"),
+            std::string::npos)
+      << statusOf(StartupSessionStep::HeatBed).reason;
+  machine.reset();  // or a session that waits would not end
 }
 
 TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
