@@ -3,15 +3,23 @@
 // Runs start-ups on emulated machines over pseudo-terminals, a thousand times as fast as real.
 #include "lamina/startup/startup_session.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "startup/large_gantry.hpp"
@@ -24,6 +32,65 @@ using StartupSessionStep = StartupStep;
 using State = StartupState;
 
 constexpr double kSpeedUp = 1000.0;
+
+/// A machine that says that it is busy, for ever, and takes nothing: one that waits for a person.
+class BusyMachine {
+ public:
+  BusyMachine() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+    EXPECT_EQ(::grantpt(master_), 0);
+    EXPECT_EQ(::unlockpt(master_), 0);
+    std::array<char, 64> name{};
+    EXPECT_EQ(::ptsname_r(master_, name.data(), name.size()), 0);
+    port_ = name.data();
+    slave_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY);  // what is written before anybody opens it is kept
+    thread_ = std::thread([this] { speak(); });
+  }
+  ~BusyMachine() {
+    is_over_ = true;
+    thread_.join();
+    ::close(slave_);
+    ::close(master_);
+  }
+  BusyMachine(const BusyMachine&) = delete;
+  BusyMachine& operator=(const BusyMachine&) = delete;
+
+  const std::string& port() const { return port_; }
+
+ private:
+  void speak() const {
+    constexpr std::string_view kBusy = "echo:busy: paused for user\n";
+    std::array<char, 256> heard{};
+    while (!is_over_) {
+      static_cast<void>(::write(master_, kBusy.data(), kBusy.size()) +
+                        ::read(master_, heard.data(), heard.size()));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  int master_;
+  int slave_ = -1;
+  std::string port_;
+  std::atomic<bool> is_over_{false};
+  std::thread thread_;
+};
+
+/// Lets the process open no file while it lives.
+class NoFreeFile {
+ public:
+  NoFreeFile() {
+    EXPECT_EQ(::getrlimit(RLIMIT_NOFILE, &before_), 0);
+    const int next = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    ::close(next);
+    const rlimit none{static_cast<rlim_t>(next), before_.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  }
+  ~NoFreeFile() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+  NoFreeFile(const NoFreeFile&) = delete;
+  NoFreeFile& operator=(const NoFreeFile&) = delete;
+
+ private:
+  rlimit before_{};
+};
 
 class StartupSessionTest : public testing::Test {
  protected:
@@ -135,6 +202,27 @@ TEST_F(StartupSessionTest, LosesNothingToAJobThatDoesNotBegin) {
   EXPECT_EQ(stream("G90\nG1 X10 F6000").state, PackmlState::Complete) << "the port is free";
 }
 
+TEST_F(StartupSessionTest, FreesThePortThoughTheProgramOfTheJobCannotBeReadAgain) {
+  settings_.skip += " home_x home_y home_z place_sheet draw_vacuum home_z_again map_heights";
+  plugIn();
+  startSession();
+  run();
+  expectState(StartupSessionStep::HeatBed, State::Done);
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  writeFile(folder_.file("part.gcode"), "G1 X1\n");
+  const auto program = StreamableProgram::fromFile(folder_.file("part.gcode"));
+  session_->beginJob({program.name(), 0, 0}, [] { return true; });
+  StreamStatus status;
+  status.state = PackmlState::Complete;
+  status.lines_sent = 1;
+  {
+    const NoFreeFile none;
+    EXPECT_EQ(codeOf([&] { session_->endJob(program, status); }), ErrorCode::Ok);
+  }
+  EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).state, State::Pending) << "what was sent is not known";
+  EXPECT_EQ(codeOf([&] { session_->abort(); }), ErrorCode::Ok) << "the port is free";
+}
+
 TEST_F(StartupSessionTest, StopsTheCheckBeforeAJobThatIsNotToBegin) {
   settings_.skip += " heat_bed place_sheet draw_vacuum home_z_again map_heights";
   settings_.check_code += "\nG4 S3000";  // 3 s
@@ -196,6 +284,21 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItIsAborted) {
   EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).reason.substr(0, 18), "aborted on request");
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
   EXPECT_TRUE(hasRun("M42 P1 S0"));
+}
+
+TEST_F(StartupSessionTest, WaitsNoLongerThanForASafeStopForAMachineThatIsBusyForEver) {
+  auto machine = std::make_unique<BusyMachine>();
+  std::filesystem::create_symlink(machine->port(), port());
+  stream_.safe_stop_timeout_s = 0.5;
+  startSession();
+  run(StartupSessionStep::HeatBed);
+  session_->abort();
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  EXPECT_NE(statusOf(StartupSessionStep::HeatBed)
+                .reason.find("look after it: it has not run startup.abort_code within 0.5 s"),
+            std::string::npos)
+      << statusOf(StartupSessionStep::HeatBed).reason;
+  machine.reset();  // or a session that waits would not end
 }
 
 TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {

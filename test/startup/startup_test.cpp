@@ -147,6 +147,23 @@ TEST(Startup, FailsABedThatHeatsTooFastOrNotAtAll) {
             "the bed is at 71 degC; expected 89 to 91 degC within 60 min");
 }
 
+TEST(Startup, SetsTheTargetOfABedThatIsHotAlready) {
+  StartedMachine machine;
+  machine.perform(StartupStep::PowerOn);
+  machine.startup.begin(StartupStep::HeatBed, 0.0);
+  const auto question = machine.startup.nextCode(StartupStep::HeatBed);
+  ASSERT_TRUE(question);
+  EXPECT_EQ(question->find("M140"), std::string::npos) << "from where the ramp begins is not known yet";
+  machine.say("T:25.00 /0.00 B:90.00 /0.00 @:0 B@:0");
+  machine.startup.onCodeFinished(StartupStep::HeatBed, 1.0);
+  EXPECT_EQ(machine.stateOf(StartupStep::HeatBed), StartupState::Running);
+  const auto ramp = machine.startup.nextCode(StartupStep::HeatBed);
+  ASSERT_TRUE(ramp);
+  EXPECT_NE(ramp->find("M140 S90"), std::string::npos) << *ramp;
+  machine.startup.onCodeFinished(StartupStep::HeatBed, 2.0);
+  EXPECT_EQ(machine.stateOf(StartupStep::HeatBed), StartupState::Done);
+}
+
 TEST(Startup, LosesABedThatCoolsAndTheHeightMapWithIt) {
   StartedMachine machine;
   machine.performAll();

@@ -282,7 +282,9 @@ void Startup::onCodeFinished(StartupStep step, double now_s) {
 
 void Startup::finishBed(Entry& entry, double now_s) {
   const StartupCheck check = checkBed(reports_, settings_, Strictness::Reaching);
-  if (check.verdict == Verdict::Met) return complete(entry, check.reason, now_s);
+  // A board that was reset leaves a hot bed without a target: it would cool during the job.
+  const bool is_commanded = settings_.bed_code.empty() || entry.phase > 0;
+  if (is_commanded && check.verdict == Verdict::Met) return complete(entry, check.reason, now_s);
   const double passed_min = (now_s - entry.since_s) / 60.0;
   if (passed_min > settings_.bed_timeout_min)
     fail(entry.status.step, check.reason + " within " + shortNumber(settings_.bed_timeout_min) + " min");

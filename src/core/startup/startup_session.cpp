@@ -351,10 +351,10 @@ void StartupSession::Impl::endJob(const StreamableProgram& program, const Stream
   sent_lines_.reset();
   Lock lock(mutex_);
   job_.reset();
+  port_user_ = PortUser::Nobody;
   noteSent(program, status);
   const ErrorCode code = status.failure.code;
   if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.forgetMachine(status.failure.message);
-  port_user_ = PortUser::Nobody;
   wake_.notify_all();
   notify(lock);
 }
@@ -482,14 +482,21 @@ void StartupSession::Impl::giveUpAll(Lock& lock) {
 /// @return what must be reported if it was not possible; empty if it was
 std::string StartupSession::Impl::leaveSafe(Lock& lock) {
   if (settings_.abort_code.empty()) return {};
+  // A machine that waits for a person or for heat reports for ever that it is busy.
+  const double until_s = clock_.now() + stream_.safe_stop_timeout_s;
+  std::string why;
   try {
-    stream(lock, settings_.abort_code, [] { return true; });
+    stream(lock, settings_.abort_code, [this, until_s] { return clock_.now() < until_s; });
     may_be_on_ = false;
     return {};
+  } catch (const Cancelled&) {
+    why = "it has not run startup.abort_code within " + shortNumber(stream_.safe_stop_timeout_s) + " s";
   } catch (const Error& error) {
-    startup_.forgetMachine(error.what());
-    return std::string("; the machine could not be left safe, look after it: ") + error.what();
+    why = error.what();
   }
+  const std::string remark = "the machine could not be left safe, look after it: " + why;
+  startup_.forgetMachine(remark);
+  return "; " + remark;
 }
 
 void StartupSession::Impl::stream(Lock& lock, const std::string& code, const MayGoOn& mayGoOn) {
@@ -529,11 +536,15 @@ void StartupSession::Impl::noteSent(const StreamableProgram& program, const Stre
   const ErrorCode code = status.failure.code;
   if (program.hasChanged())
     return startup_.forgetMachine(program.name() + " was changed while it was streamed");
-  ProgramCursor cursor = program.open();
-  for (std::uint64_t line = 0; line < status.lines_sent; ++line) {
-    const auto command = cursor.next();
-    if (!command) break;
-    startup_.onCommandSent(command->command);
+  try {
+    ProgramCursor cursor = program.open();
+    for (std::uint64_t line = 0; line < status.lines_sent; ++line) {
+      const auto command = cursor.next();
+      if (!command) break;
+      startup_.onCommandSent(command->command);
+    }
+  } catch (const Error& error) {
+    startup_.forgetMachine(error.what());  // what was sent is not known
   }
   if (code != ErrorCode::Cancelled) return;
   startup_.onCommandSent("M410");

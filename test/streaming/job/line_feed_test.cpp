@@ -98,6 +98,23 @@ TEST(ReadAhead, EndsWhereWhatIsReadWasChanged) {
   EXPECT_FALSE(source());
 }
 
+/// Of a network folder, one question of many may fail.
+TEST(ReadAhead, EndsWhereOneLookOfManySaysThatWhatIsReadWasChanged) {
+  for (const int changed_at : {1, 2, 3}) {
+    LineFeed::Source source = readAhead(
+        [given = 0]() mutable -> std::optional<ProgramLine> {
+          if (given == 300) return std::nullopt;
+          return ProgramLine{"L" + std::to_string(++given), -1};
+        },
+        [changed_at, looks = 0]() mutable { return ++looks == changed_at; }, 60.0);
+    int expected = 1;
+    while (const auto line = source()) {
+      ASSERT_EQ(line->command, "L" + std::to_string(expected++)) << "look " << changed_at;
+    }
+    EXPECT_EQ(expected, 128 * (changed_at - 1) + 1) << "look " << changed_at;
+  }
+}
+
 TEST(ReadAhead, NeitherWaitsNorEndsWithADiskThatDoesNotAnswer) {
   StuckDisk disk(200);
   const SteadyClock clock;

@@ -20,5 +20,20 @@ TEST(UsedOutputs, AreSwitchedOffHoweverTheirCommandsAreWritten) {
   }
 }
 
+GcodeLines heatOffAfter(const GcodeLines& program) {
+  UsedOutputs outputs;
+  for (const std::string& command : program) outputs.see(command);
+  return outputs.heatOff();
+}
+
+/// Of a T command that was lost or refused, the program knows nothing.
+TEST(UsedOutputs, SwitchOffEveryToolThatMayBeHot) {
+  const GcodeLines both = {"M104 T0 S0", "M104 T1 S0"};
+  EXPECT_EQ(heatOffAfter({"M104 T0 S200", "M104 T1 S190", "T1"}), both);
+  EXPECT_EQ(heatOffAfter({"M104 S200", "T1", "M109 S190"}), both);
+  EXPECT_EQ(heatOffAfter({"M104 T0 S200"}), GcodeLines{"M104 T0 S0"}) << "another tool may be active";
+  EXPECT_EQ(heatOffAfter({"M104 S200"}), GcodeLines{}) << "the active one, as M104 S0 switches off";
+}
+
 }  // namespace
 }  // namespace lamina

@@ -14,6 +14,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "streaming/journal/journal_writer.hpp"
+#include "streaming/journal/progress_file.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -89,7 +90,7 @@ TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
   const auto program = journalled(text);
   JobProgress start;
   start.sent_through = 256;
-  JournalWriter writer(ProgressFile(path, jobOf(program), start), start, program.lines());
+  JournalWriter writer(fileWriter({path, {}}, jobOf(program)), start, program.lines(), kLongestWrite);
   double now = 0.0;
   for (std::uint64_t sent = 1; sent <= 10000; sent += 97) {
     writer.record(statusAt(sent, sent - 1), now += 0.001);
@@ -109,8 +110,7 @@ TEST(JobJournal, IsGivenUpIfTheDiskDoesNotAnswer) {
   {
     JournalWriter writer([answers = disk.get_future().share()](const JobProgress&) { answers.wait(); }, start,
                          10000, 0.05);
-    writer.record(statusAt(100, 90), 0.0);
-    EXPECT_THROW(writer.record(statusAt(300, 290), 0.1), FileError);
+    EXPECT_THROW(writer.record(statusAt(100, 90), 0.0), FileError) << "the file is not there yet";
     writer.record(statusAt(10000, 9000), 0.2);  // the job goes on
   }
   EXPECT_LT(clock.now() - begin_s, 30.0) << "the disk is not waited for";
@@ -139,6 +139,30 @@ TEST(JobJournal, KeepsWhatWasKnownOfAJobThatDidNotComplete) {
   EXPECT_EQ(readJournal(path + ".before").progress.taken_through, 2U);
 }
 
+TEST(JobJournal, KnowsEveryExecutionThatHasBegun) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto execute = [&](const std::string& execution, PackmlState end) {
+    JournalledJob job = jobOf(journalled("G28\n"));
+    job.execution = execution;
+    JobProgress known;
+    known.state = end;
+    keepUnfinished(path);
+    static_cast<void>(ProgressFile(path, job, known));
+  };
+  EXPECT_EQ(recordOf(path, "first"), ExecutionRecord::None);
+  execute("first", PackmlState::Execute);
+  EXPECT_EQ(recordOf(path, "first"), ExecutionRecord::Unfinished);
+  execute("second\none", PackmlState::Complete);
+  execute("third", PackmlState::Execute);
+  execute("", PackmlState::Execute);
+  execute("", PackmlState::Execute);
+  for (const char* begun : {"first", "second\none", "third"})
+    EXPECT_THROW(recordOf(path, begun), InvalidInput) << begun;
+  EXPECT_EQ(recordOf(path, "one"), ExecutionRecord::None);
+  EXPECT_EQ(recordOf(path, "fourth"), ExecutionRecord::None);
+}
+
 TEST(JobJournal, KeepsTheEndOfAJob) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");
@@ -146,7 +170,7 @@ TEST(JobJournal, KeepsTheEndOfAJob) {
   {
     JobProgress start;
     start.sent_through = 2;
-    JournalWriter writer(ProgressFile(path, jobOf(program), start), start, program.lines());
+    JournalWriter writer(fileWriter({path, {}}, jobOf(program)), start, program.lines(), kLongestWrite);
     StreamStatus status = statusAt(2, 2);
     status.state = PackmlState::Complete;
     status.layer = 3;

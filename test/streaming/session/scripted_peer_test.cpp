@@ -219,6 +219,36 @@ TEST_F(ScriptedPeer, WaitsForEveryHeaterToBeOff) {
   EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
 }
 
+/// Begins a stop of the ten lines, of which one is sent, and takes it to its last question.
+void drain(Streamer& streamer) {
+  streamer.takeOutput();
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  streamer.receive("ok\nok\nok\nok\nok\nok\nok\nResend: 1006\nok\n", 1.1);
+  streamer.receive("ok\nok\nok\n", 1.2);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1009\nok\n", 1.3);
+  EXPECT_EQ(streamer.takeOutput(), "M105\n");
+}
+
+TEST_F(ScriptedPeer, SwitchesOffToolsThatAreStillHeatedByTheirNumbers) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  drain(streamer);
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0 T0:180.0 /0.0 T1:170.0 /210.0 @:0 B@:0\n", 1.4);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  EXPECT_EQ(streamer.takeOutput(), "M104 T0 S0\nM104 T1 S0\n");
+}
+
+TEST_F(ScriptedPeer, TakesNoReportThatItHasNotAskedForForTheEndOfAStop) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  drain(streamer);
+  streamer.receive(" T:20.0 /0.0 B:20.0 /0.0 @:0 B@:0\n", 1.4);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting) << "the stop may wait behind long motions";
+  streamer.receive("ok T:20.0 /0.0 B:20.0 /0.0 @:0 B@:0\n", 1.5);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+}
+
 TEST_F(ScriptedPeer, TurnsHeatersOffInLinesTheMachineConfirms) {
   Streamer streamer(program_, settings());
   begin(streamer);

@@ -296,6 +296,65 @@ TEST(StreamSession, ReportsEveryStateInOrder) {
                                               PackmlState::Completing, PackmlState::Complete}));
 }
 
+TEST(StreamSession, GoesOnWithoutAProgressFileWhoseNameNoFileSystemTakes) {
+  const RecordedMachine machine(0.0);
+  const test::ScratchFolder folder;
+  SessionOptions options;
+  options.journal.path = folder.file(std::string(300, 'p'));
+  const StreamSession session(spiral(20), impatient(), {machine->pty(), 115200}, {}, options);
+  EXPECT_EQ(finished(session).state, PackmlState::Complete) << session.status().failure.message;
+  EXPECT_NE(session.status().message.find("the job goes on"), std::string::npos) << session.status().message;
+}
+
+TEST(StreamSession, BeginsNoExecutionThatNothingStates) {
+  const RecordedMachine machine(0.0);
+  const test::ScratchFolder folder;
+  SessionOptions options;
+  options.journal.path = folder.file(std::string(300, 'p'));
+  options.journal.execution = "e-1";
+  const StreamSession session(spiral(20), impatient(), {machine->pty(), 115200}, {}, options);
+  const StreamStatus status = finished(session);
+  EXPECT_EQ(status.state, PackmlState::Aborted);
+  EXPECT_EQ(status.failure.code, ErrorCode::FileError);
+  EXPECT_NE(status.failure.message.find("no line of execution e-1 was sent"), std::string::npos)
+      << status.failure.message;
+  EXPECT_EQ(status.lines_sent, 0U);
+  for (const std::string& command : machine.commands()) EXPECT_NE(command.substr(0, 4), "G1 X") << command;
+}
+
+/// Corrects nothing, and keeps no record: its lines could not be made again.
+class UnrecordedRevision final : public ProgramRevision {
+ public:
+  bool isKnown(std::int32_t /*layer*/) override { return true; }
+  void decide(std::int32_t /*layer*/) override {}
+  double waitTime() const override { return 0.0; }
+  std::string revised(std::string_view line, std::uint64_t /*number*/) override { return std::string(line); }
+};
+
+TEST(StreamSession, StatesAnExecutionThatCouldNotGoOn) {
+  const auto program = spiral(400);
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  SessionOptions options;
+  options.journal.path = path;
+  options.journal.execution = "e-1";
+  options.revision = std::make_shared<UnrecordedRevision>();
+  {
+    const RecordedMachine slow(20.0);
+    const StreamSession session(program, impatient(), {slow->pty(), 115200}, {}, options);
+    ASSERT_TRUE(waitUntil([&] { return slow.commands().size() > 20; }));
+    EXPECT_EQ(recordOf(path, "e-1"), ExecutionRecord::Unfinished) << "as a killed process leaves it";
+    EXPECT_THROW(resumeJournal(path, program, slow->pty()), InvalidInput);
+  }
+  const RecordedMachine swift(0.0);
+  options.journal.execution = "e-2";
+  options.revision = std::make_shared<UnrecordedRevision>();
+  const StreamSession whole(program, impatient(), {swift->pty(), 115200}, {}, options);
+  EXPECT_EQ(finished(whole).state, PackmlState::Complete) << whole.status().failure.message;
+  EXPECT_EQ(recordOf(path, "e-2"), ExecutionRecord::Complete);
+  EXPECT_THROW(recordOf(path, "e-1"), InvalidInput);
+}
+
 TEST(EmulatedMachine, RefusesToReplaceAFileByItsLink) {
   EXPECT_THROW(EmulatedMachine({}, {}, {"/etc/passwd", {}}, {}), FileError);
   EXPECT_THROW(EmulatedMachine({}, {}, {"/nowhere/at/all", {}}, {}), FileError);

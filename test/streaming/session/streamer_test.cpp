@@ -9,8 +9,12 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
 #include "streaming/emulator/simulated_link.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -264,6 +268,22 @@ RC_GTEST_PROP(StreamerProperty, EveryConfirmedAbortLeavesTheMachineCold, ()) {
   if (link.streamer.status().state == PackmlState::Complete) return;
   const bool is_confirmed = link.streamer.status().failure.message == "enough";
   RC_ASSERT(!is_confirmed || (link.firmware.nozzleTarget() == 0.0 && link.firmware.bedTarget() == 0.0));
+}
+
+TEST(Streamer, EndsTheJobIfTheProgramIsGoneWhenTheFirmwareIsKnown) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("part.gcode");
+  writeFile(path, "G28\nG1 X1\n");
+  StreamSettings settings;
+  settings.firmware = kAnyFirmware;
+  Streamer streamer(StreamableProgram::fromFile(path, settings), settings);
+  streamer.start(0.0);
+  EXPECT_EQ(streamer.takeOutput(), "M115\n");
+  std::filesystem::remove(path);
+  streamer.receive("FIRMWARE_NAME:Marlin 2.1.2\nok\n", 0.1);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::FileError) << streamer.status().failure.message;
+  EXPECT_EQ(streamer.takeOutput(), "") << "the machine has got no line";
 }
 
 }  // namespace

@@ -97,5 +97,28 @@ TEST(UploadJournal, GoesOnWithoutADiskThatDoesNotAnswer) {
   slow.answers.set_value();
 }
 
+TEST(UploadJournal, LetsNoExecutionBeginThatNothingStates) {
+  AskedToStart upload;
+  ASSERT_TRUE(upload.start);
+  for (const bool is_execution : {false, true}) {
+    StreamJournal where{"/a/path", {}};
+    if (is_execution) where.execution = "execution 7";
+    UploadJournal journal(where, upload.program, "http://printer", [](const JournalledJob& /*job*/) {
+      return [](const JobProgress& /*progress*/) { throw FileError("the disk is full"); };
+    });
+    journal.keep(upload.job, upload.now);
+    while (journal.isAwaited(upload.job)) {
+      std::this_thread::yield();
+      journal.keep(upload.job, upload.now);
+    }
+    EXPECT_EQ(journal.prohibition().empty(), !is_execution);
+    if (is_execution) {
+      EXPECT_EQ(journal.prohibition(),
+                "the disk is full; execution execution 7 was not started, since nothing states that it has "
+                "begun");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -30,8 +30,9 @@ std::string journalPath(const StreamSettings& settings, const std::string& port)
 StreamJournal beginJournal(const std::string& path);
 
 /// Copies the progress file of a job that did not complete to `path` + ".before", so that the next job does
-/// not overwrite it. Without effect if there is no progress file, or it cannot be read.
-/// @throws FileError if the copy cannot be written
+/// not overwrite it, and adds its execution, if it has one, to the last thousand in `path` + ".executions".
+/// Without effect if there is no progress file, or it cannot be read.
+/// @throws FileError if the copy or the list cannot be written
 void keepUnfinished(const std::string& path);
 
 /// Reads the progress file of the last job at a port.
@@ -48,7 +49,7 @@ enum class ExecutionRecord : std::uint8_t {
 /// Looks up an execution by its name in a progress file. A progress file is written before the first line is
 /// sent.
 /// @throws FileError if no progress file is kept, or it is damaged
-/// @throws InvalidInput if another job was streamed at the port since the execution was interrupted
+/// @throws InvalidInput if another job was streamed at the port since the execution began
 ExecutionRecord recordOf(const std::string& path, const std::string& execution);
 
 /// The journal for resuming the job of a progress file.

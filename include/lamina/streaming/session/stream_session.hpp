@@ -32,7 +32,8 @@ struct SessionOptions {
   StreamJournal journal;
   JobStart start = JobStart::New;  ///< used for a print server only; for other ports the journal decides
   /// Changes the lines before they are sent; null if they are sent unchanged. The progress of a job with a
-  /// revision is kept only if the revision keeps a record from which the lines can be made again.
+  /// revision is kept only if the revision keeps a record from which the lines can be made again; of any
+  /// other only its execution is, as of a job that cannot be resumed.
   std::shared_ptr<ProgramRevision> revision = nullptr;
 };
 

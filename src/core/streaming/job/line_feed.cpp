@@ -99,9 +99,11 @@ std::optional<ProgramLine> ReadAhead::next() {
 void ReadAhead::run(Shared& shared) {
   while (true) {
     Batch batch = readBatch(shared);
-    // Read before it was looked at, so that nothing unchecked is in it.
-    const bool is_last = batch.size() < kBatchLines || shared.has_changed();
-    if (shared.has_changed()) batch.clear();
+    // Read before it was looked at, so that nothing unchecked is in it; looked at once, so that what is left
+    // out is the end.
+    const bool has_changed = shared.has_changed();
+    const bool is_last = has_changed || batch.size() < kBatchLines;
+    if (has_changed) batch.clear();
     if (!hand(shared, std::move(batch)) || is_last) break;
   }
   {

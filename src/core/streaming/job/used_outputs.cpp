@@ -27,7 +27,10 @@ int indexOf(std::string_view command, char letter, int otherwise) {
 }  // namespace
 
 void UsedOutputs::see(std::string_view command) {
-  if (const auto tool = numberOf(command, 'T')) tool_ = *tool;
+  if (const auto tool = numberOf(command, 'T')) {
+    tool_ = *tool;
+    names_tools_ = true;
+  }
   const auto code = numberOf(command, 'M');
   if (!code) return;
   switch (*code) {
@@ -41,6 +44,7 @@ void UsedOutputs::see(std::string_view command) {
       break;
     case 104:
     case 109:
+      names_tools_ = names_tools_ || wordValue(command, 'T');
       heated_tools_.insert(indexOf(command, 'T', tool_));
       break;
     case 106:
@@ -65,9 +69,10 @@ std::vector<std::string> UsedOutputs::beamOff() const {
 
 std::vector<std::string> UsedOutputs::heatOff() const {
   std::vector<std::string> commands;
-  for (const int tool : heated_tools_) {
-    if (tool != tool_) commands.push_back("M104 T" + std::to_string(tool) + " S0");
-  }
+  // Also the tool that should be active: its T command may have been lost or refused, and the machine may
+  // have begun with another one. A program that names no tool heats the active one, whichever that is.
+  if (names_tools_)
+    for (const int tool : heated_tools_) commands.push_back("M104 T" + std::to_string(tool) + " S0");
   if (has_chamber_) commands.emplace_back("M141 S0");
   if (has_laser_cooler_) commands.emplace_back("M143 S0");
   return commands;

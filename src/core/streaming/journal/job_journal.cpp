@@ -12,8 +12,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -25,7 +27,8 @@ namespace lamina {
 namespace {
 
 constexpr const char* kAutoJournal = "auto";
-constexpr const char* kBefore = ".before";  // of the job before that did not complete
+constexpr const char* kBefore = ".before";          // of the job before that did not complete
+constexpr const char* kExecutions = ".executions";  // of the jobs before that had one
 
 /// A variable of the environment that holds an absolute path; empty if it holds none.
 std::string folderFrom(const char* variable) {
@@ -54,6 +57,30 @@ std::string fileNameOf(const std::string& port) {
   std::string name = percentEncoded(whole, "-_./");
   std::replace(name.begin(), name.end(), '/', '+');
   return name + ".progress";
+}
+
+/// The executions before the last one, one on each line, oldest first.
+std::vector<std::string> executionsBefore(const std::string& path) {
+  std::vector<std::string> names;
+  if (!std::filesystem::exists(path + kExecutions)) return names;
+  std::istringstream text(readFile(path + kExecutions));
+  for (std::string name; std::getline(text, name);) names.push_back(name);
+  return names;
+}
+
+std::string nameInList(const std::string& execution) { return percentEncoded(execution, "-_./:"); }
+
+/// Makes known that an execution has begun, for as long as no thousand others have after it.
+void noteExecution(const std::string& path, const std::string& execution) {
+  constexpr std::size_t kMost = 1000;
+  if (execution.empty()) return;
+  const std::string name = nameInList(execution);
+  const std::vector<std::string> names = executionsBefore(path);
+  if (!names.empty() && names.back() == name) return;
+  std::string text;
+  for (std::size_t i = names.size() < kMost ? 0 : names.size() - kMost + 1; i < names.size(); ++i)
+    text += names[i] + "\n";
+  writeDurably(path + kExecutions, text + name + "\n");
 }
 
 /// Makes a folder and those above it, for their owner alone.
@@ -161,12 +188,15 @@ StreamJournal beginJournal(const std::string& path) {
 }
 
 void keepUnfinished(const std::string& path) {
+  JournalledProgress known;
   try {
-    if (!std::filesystem::exists(path) || readJournal(path).progress.state == PackmlState::Complete) return;
+    if (!std::filesystem::exists(path)) return;
+    known = readJournal(path);
   } catch (const FileError&) {
     return;
   }
-  writeDurably(path + kBefore, readFile(path));
+  noteExecution(path, known.job.execution);
+  if (known.progress.state != PackmlState::Complete) writeDurably(path + kBefore, readFile(path));
 }
 
 JournalledProgress readJournal(const std::string& path) {
@@ -195,6 +225,11 @@ ExecutionRecord recordOf(const std::string& path, const std::string& execution) 
       throw InvalidInput("another job was streamed since execution " + execution +
                          " was cut off, so that it cannot just go on; known is: " + describeProgress(known));
   }
+  const std::vector<std::string> names = executionsBefore(path);
+  if (std::find(names.begin(), names.end(), nameInList(execution)) != names.end())
+    throw InvalidInput("execution " + execution +
+                       " has begun before, and other jobs were streamed since, so that it can neither go on "
+                       "nor begin; expected a new execution");
   return ExecutionRecord::None;
 }
 

@@ -3,11 +3,9 @@
 #include "streaming/journal/journal_writer.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
 namespace {
@@ -20,11 +18,6 @@ constexpr double kAcknowledgementInterval = 0.1;  // s
 
 }  // namespace
 
-JournalWriter::JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total)
-    : JournalWriter([file = std::make_shared<ProgressFile>(std::move(file))](
-                        const JobProgress& progress) { file->write(stampedNow(progress)); },
-                    known, lines_total, kLongestWrite) {}
-
 JournalWriter::JournalWriter(Write write, const JobProgress& known, std::uint64_t lines_total,
                              double patience_s)
     : lines_total_(lines_total),
@@ -32,7 +25,7 @@ JournalWriter::JournalWriter(Write write, const JobProgress& known, std::uint64_
       ahead_(kLeastAhead),
       measured_from_(known.taken_through),
       asked_(known),
-      keeper_(std::move(write), patience_s, known) {}
+      keeper_(std::move(write), patience_s) {}
 
 /// How many lines leave in the time that the file is ahead.
 void JournalWriter::measureRate(std::uint64_t sent, double now) {
@@ -60,8 +53,8 @@ void JournalWriter::record(const StreamStatus& status, double now) {
   progress.layer = status.layer;
   progress.state = status.state;
   const bool is_due = progress.taken_through != asked_.taken_through && now >= next_acknowledgement_;
-  if (is_due || progress.sent_through != asked_.sent_through || progress.layer != asked_.layer ||
-      progress.state != asked_.state) {
+  if (!std::exchange(has_asked_, true) || is_due || progress.sent_through != asked_.sent_through ||
+      progress.layer != asked_.layer || progress.state != asked_.state) {
     next_acknowledgement_ = now + kAcknowledgementInterval;
     asked_ = progress;
     keeper_.keep(progress, now);

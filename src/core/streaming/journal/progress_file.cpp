@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -78,6 +79,16 @@ void ProgressFile::write(JobProgress progress) {
   const off_t place = progress.sequence % 2 == 0 ? 0 : static_cast<off_t>(kProgressRecordBytes);
   if (!writeAt(descriptor_, encodeProgress(progress, job_crc_), place) || ::fdatasync(descriptor_) != 0)
     throwNotKept(path_, errno);
+}
+
+std::function<void(const JobProgress& progress)> fileWriter(const StreamJournal& where,
+                                                            const JournalledJob& job) {
+  return [path = where.path, resumes = where.unfinished.has_value(), job,
+          file = std::shared_ptr<ProgressFile>()](const JobProgress& progress) mutable {
+    if (file) return file->write(stampedNow(progress));
+    if (!resumes) keepUnfinished(path);
+    file = std::make_shared<ProgressFile>(path, job, stampedNow(progress));
+  };
 }
 
 }  // namespace lamina

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
+#include "lamina/streaming/journal/job_journal.hpp"
 #include "lamina/streaming/journal/job_progress.hpp"
 
 namespace lamina {
@@ -33,5 +35,11 @@ class ProgressFile {
   std::uint32_t job_crc_ = 0;
   std::uint64_t sequence_ = 0;
 };
+
+/// Function that writes the progress of a job, stamped with the present time, to the file of a journal. Its
+/// first call creates the file, and keeps what was unfinished there unless the job resumes it
+/// (`keepUnfinished`): nothing waits for a disk before.
+std::function<void(const JobProgress& progress)> fileWriter(const StreamJournal& where,
+                                                            const JournalledJob& job);
 
 }  // namespace lamina

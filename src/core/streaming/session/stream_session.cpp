@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/session/stream_session.hpp"
 
-#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <chrono>
-#include <cstdint>
 #include <future>
-#include <limits>
 #include <memory>
-#include <random>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -18,135 +14,15 @@
 #include "base/threads/thread_priority.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/journal/job_journal.hpp"
 #include "lamina/streaming/session/streamer.hpp"
 #include "lamina/streaming/transport/transport.hpp"
-#include "streaming/journal/journal_writer.hpp"
+#include "streaming/session/session_journal.hpp"
 #include "streaming/session/session_kind.hpp"
 #include "streaming/transport/deadline_timer.hpp"
 #include "streaming/transport/http_client.hpp"
 
 namespace lamina {
 namespace {
-
-/// The progress file of one session. If the disk fails the job goes on without it.
-class SessionJournal {
- public:
-  /// @throws FileError if the program is gone
-  /// @param revision  of the lines, or null; progress of revised lines is kept only with a record of them
-  SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
-                 std::shared_ptr<const ProgramRevision> revision);
-
-  /// The order, completed by the first line number and the unfinished job.
-  StreamOrder placed(StreamOrder order) const;
-  /// Stores the progress; to be called before the streamer's output is sent.
-  void keep(const Streamer& streamer, double now);
-  /// Whether the link was lost and did not come back for the safe stop. The file then states no abort, and
-  /// the job can be resumed on the machine that went on.
-  bool isCutOff() const { return writer_ && is_cut_off_ && !is_stop_sent_; }
-  /// Why progress is no longer stored; empty if it is.
-  const std::string& failure() const { return failure_; }
-
- private:
-  void begin(const Streamer& streamer);
-  void followLink(const Streamer& streamer);
-  /// As of a job that may have any number of lines, where it is revised.
-  std::uint64_t mostLines() const;
-
-  StreamJournal where_;
-  JournalledJob job_;
-  std::shared_ptr<const ProgramRevision> revision_;
-  std::unique_ptr<JournalWriter> writer_;
-  bool has_begun_ = false;
-  bool is_cut_off_ = false;    ///< the link is lost
-  bool is_stop_sent_ = false;  ///< a safe stop may have reached the machine
-  std::string failure_;
-};
-
-constexpr std::uint64_t kFirstAhead = 256;  // lines
-
-/// Seven digits: other senders count from 1, and an earlier job is unlikely to have been there; and a line
-/// whose N is damaged into a G or M has a code that no firmware knows. Longer numbers would only slow down
-/// the line.
-std::uint64_t anyLineBase() {
-  std::random_device source;
-  return std::uniform_int_distribution<std::uint64_t>(1'000'000, 8'999'999)(source);
-}
-
-SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
-                               std::shared_ptr<const ProgramRevision> revision)
-    : where_(std::move(where)), revision_(std::move(revision)) {
-  const std::optional<RevisionRecord> record = revision_ ? revision_->record() : std::nullopt;
-  if (revision_ && !record) where_ = {};
-  job_.line_base = anyLineBase();
-  if (where_.path.empty()) return;
-  if (where_.unfinished) {
-    job_ = where_.unfinished->job;
-    return;
-  }
-  const std::uint64_t line_base = job_.line_base;
-  job_ = describedJob(program, port);
-  job_.line_base = line_base;
-  job_.revision = record;
-  job_.execution = where_.execution;
-}
-
-std::uint64_t SessionJournal::mostLines() const {
-  return job_.revision ? std::numeric_limits<std::uint64_t>::max() : job_.lines_total;
-}
-
-StreamOrder SessionJournal::placed(StreamOrder order) const {
-  order.line_base = job_.line_base;
-  if (!where_.unfinished) return order;
-  const JobProgress& known = where_.unfinished->progress;
-  order.unfinished = UnfinishedLines{known.taken_through, known.sent_through, job_.firmware_name};
-  if (order.settings.firmware == kAnyFirmware) order.settings.firmware = job_.protocol;
-  return order;
-}
-
-void SessionJournal::begin(const Streamer& streamer) {
-  const StreamStatus& status = streamer.status();
-  job_.protocol = streamer.protocol();
-  job_.firmware_name = status.firmware_name;
-  JobProgress known;
-  known.taken_through = status.lines_acknowledged;
-  known.sent_through = std::min(mostLines(), status.lines_sent + kFirstAhead);
-  known.layer = status.layer;
-  if (!where_.unfinished) keepUnfinished(where_.path);
-  writer_ = std::make_unique<JournalWriter>(ProgressFile(where_.path, job_, known), known, mostLines());
-}
-
-void SessionJournal::followLink(const Streamer& streamer) {
-  const PackmlState state = streamer.status().state;
-  if (isFinal(state)) return;
-  is_cut_off_ = streamer.isOffline();
-  if (state == PackmlState::Aborting && !is_cut_off_) is_stop_sent_ = true;
-}
-
-void SessionJournal::keep(const Streamer& streamer, double now) {
-  const PackmlState state = streamer.status().state;
-  if (where_.path.empty() || !failure_.empty() || state == PackmlState::Idle ||
-      state == PackmlState::Starting)
-    return;
-  try {
-    // What fails before a line was sent leaves what was known of the job before.
-    if (!std::exchange(has_begun_, has_begun_ || state == PackmlState::Execute)) {
-      if (!has_begun_) return;
-      begin(streamer);
-    }
-    followLink(streamer);
-    StreamStatus status = streamer.status();
-    if (isCutOff()) status.state = PackmlState::Execute;
-    const std::string unrecorded = revision_ ? revision_->recordFailure() : std::string();
-    // What is sent from now on cannot be made again: the job is none to go on with.
-    if (!unrecorded.empty()) status.state = PackmlState::Aborted;
-    writer_->record(status, now);
-    if (!unrecorded.empty()) throw FileError("the corrections are not recorded: " + unrecorded);
-  } catch (const Error& error) {
-    failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
-    writer_.reset();
-  }
-}
 
 constexpr std::chrono::milliseconds kReopenInterval{200};
 
@@ -266,11 +142,16 @@ class LinkSession final : public SessionKind {
   /// Passes on what the streamer wants after each event.
   void flush() {
     if (is_closed_) return;
-    const std::string output = streamer_.takeOutput();
+    std::string output = streamer_.takeOutput();
     journal_.keep(streamer_, clock_.now());
+    if (journal_.forbidsTheFirstLine() && !std::exchange(is_refused_, true)) {
+      streamer_.abort({ErrorCode::FileError, journal_.failure()}, clock_.now());
+      output = streamer_.takeOutput();  // in place of the first lines
+    }
     if (!output.empty()) transport_->send(output);
     StreamStatus status = streamer_.status();
-    if (!journal_.failure().empty()) status.message = journal_.failure();
+    if (!journal_.failure().empty() && !is_refused_) status.message = journal_.failure();
+    if (is_refused_) status.lines_sent = 0;
     if (isFinal(status.state) && journal_.isCutOff()) status.failure.message += remarkOnTheMachine();
     record_.publish(std::move(status), streamer_.takeStateChanges(), clock_.now());
     if (isFinal(streamer_.status().state)) {
@@ -305,6 +186,7 @@ class LinkSession final : public SessionKind {
   Streamer streamer_;
   std::unique_ptr<Transport> transport_;
   DeadlineTimer timer_;
+  bool is_refused_ = false;  ///< no line may be sent, by the journal
   bool is_closed_ = false;
   std::thread thread_;
 };

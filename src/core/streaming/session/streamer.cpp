@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/session/streamer.hpp"
 
+#include <exception>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "streaming/session/identification.hpp"
 
 namespace lamina {
@@ -52,7 +54,12 @@ void Streamer::adopt(double now) {
   order_.firmware_name = identification_->found()->firmware_name;
   order_.hears_at_once = identification_->found()->hears_at_once;
   order_.answers_due = identification_->answersDue();
-  job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
+  try {
+    job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
+  } catch (const std::exception&) {
+    // The program may be gone by now; the thread of the session has nobody who would catch this.
+    return identification_->abort(currentFailure());
+  }
   job_->start(now);
   job_->takeStateChanges();  // Starting, which the job is in already
   if (is_hold_due_) job_->pause(now);

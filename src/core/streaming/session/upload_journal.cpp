@@ -25,22 +25,12 @@ JobProgress progressOf(const StreamStatus& status) {
   return progress;
 }
 
-/// The file is made by the first write. What was unfinished there is kept, unless it is gone on with.
-UploadJournal::Writer fileWriter(const StreamJournal& where) {
-  return [path = where.path, goes_on = where.unfinished.has_value()](const JournalledJob& job) {
-    return [path, goes_on, job, file = std::shared_ptr<ProgressFile>()](const JobProgress& progress) mutable {
-      if (file) return file->write(stampedNow(progress));
-      if (!goes_on) keepUnfinished(path);
-      file = std::make_shared<ProgressFile>(path, job, stampedNow(progress));
-    };
-  };
-}
-
 }  // namespace
 
 UploadJournal::UploadJournal(const StreamJournal& where, const StreamableProgram& program,
                              const std::string& port)
-    : UploadJournal(where, program, port, fileWriter(where)) {}
+    : UploadJournal(where, program, port,
+                    [where](const JournalledJob& job) { return fileWriter(where, job); }) {}
 
 UploadJournal::UploadJournal(StreamJournal where, const StreamableProgram& program, const std::string& port,
                              Writer writer)
@@ -69,6 +59,10 @@ void UploadJournal::keep(const UploadJob& job, double now) {
   const std::string failure = keeper_->failure(now);
   if (failure.empty()) return;
   failure_ = failure + "; the print goes on, but how far it is is no longer kept";
+  const bool is_stated = where_.unfinished || keeper_->hasWritten();
+  if (!is_stated && !job_.execution.empty())
+    prohibition_ = failure + "; execution " + job_.execution +
+                   " was not started, since nothing states that it has begun";
   keeper_.reset();
 }
 
@@ -79,7 +73,7 @@ bool UploadJournal::isAwaited(const UploadJob& job) const {
 
 StreamStatus UploadJournal::withWhatIsKnown(const UploadJob& job) const {
   StreamStatus status = job.status();
-  if (!failure_.empty()) status.message = failure_;
+  if (!failure_.empty() && prohibition_.empty()) status.message = failure_;
   const bool is_not_there = isFinal(status.state) && !job.mayBeStarted();
   if (where_.unfinished && is_not_there)
     status.failure.message += "; known is: " + describeProgress(*where_.unfinished);

@@ -31,6 +31,9 @@ class UploadJournal {
   /// Whether the job's request has to wait, since the file does not yet say that the print may be started. To
   /// be asked after `keep`.
   bool isAwaited(const UploadJob& job) const;
+  /// Why the print must not be started: the file could not state the execution that is to begin, and who asks
+  /// for it once more would have it printed once more. Empty if it may. To be asked after `keep`.
+  const std::string& prohibition() const { return prohibition_; }
   /// The job's status, completed by the last progress of a print that is gone and by a failure of the file.
   StreamStatus withWhatIsKnown(const UploadJob& job) const;
 
@@ -43,6 +46,7 @@ class UploadJournal {
   JobProgress kept_;
   std::unique_ptr<ProgressKeeper> keeper_;
   std::string failure_;
+  std::string prohibition_;
 };
 
 }  // namespace lamina

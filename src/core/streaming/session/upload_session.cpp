@@ -152,6 +152,12 @@ class UploadSession final : public SessionKind {
     }
     if (auto request = job_.takeRequest(now)) waiting_ = std::move(request);
     journal_.keep(job_, now);
+    if (waiting_ && !journal_.prohibition().empty() && !std::exchange(is_refused_, true)) {
+      waiting_.reset();
+      job_.abort({ErrorCode::FileError, journal_.prohibition()}, now);
+      job_.takeBreak();  // nothing was asked
+      if (auto request = job_.takeRequest(now)) waiting_ = std::move(request);
+    }
     const bool must_wait = waiting_ && journal_.isAwaited(job_);
     if (waiting_ && !must_wait) client_.ask(*std::exchange(waiting_, std::nullopt), order_->body);
     record_.publish(journal_.withWhatIsKnown(job_), job_.takeStateChanges(), now);
@@ -175,6 +181,7 @@ class UploadSession final : public SessionKind {
   DeadlineTimer timer_;
   /// Until the job is over, so that the thread waits for commands.
   std::optional<boost::asio::executor_work_guard<boost::asio::io_context::executor_type>> work_;
+  bool is_refused_ = false;  ///< the print must not be started, by the journal
   bool is_closed_ = false;
   std::thread thread_;
 };

@@ -428,6 +428,23 @@ TEST_F(PlayedByHand, AMachineThatPrintsFromItsCardIsLeftAlone) {
   EXPECT_EQ(status().failure.message, "the machine is \"processing\"; expected it to be idle");
 }
 
+TEST_F(PlayedByHand, AHeaterFaultEndsAHeldJob) {
+  begin("reprapfirmware");
+  answer("FIRMWARE_NAME: RepRapFirmware for Duet 3 MB6HC FIRMWARE_VERSION: 3.5.3\nok\n", 0.1);
+  answer("{\"key\":\"state.status\",\"flags\":\"\",\"result\":\"idle\"}\n\nok\n", 0.2);
+  EXPECT_NE(answer("lamina1\nok\n", 0.3).find("G28*"), std::string::npos);
+  EXPECT_TRUE(streamer_->pause(0.4));
+  answer("ok\n", 0.5);
+  ASSERT_EQ(status().state, PackmlState::Held);
+  answer("Error: in file macro line 1: Movement outside the bed\n", 0.6);
+  EXPECT_EQ(status().state, PackmlState::Held) << "another sender's";
+  answer("Error: Heater 1 fault: temperature excursion exceeded 15.0C\n", 0.7);
+  EXPECT_EQ(status().state, PackmlState::Aborting);
+  EXPECT_EQ(status().failure.code, ErrorCode::DeviceError);
+  EXPECT_NE(status().failure.message.find("Heater 1 fault: temperature excursion"), std::string::npos)
+      << status().failure.message;
+}
+
 TEST(OkPacedJob, RefusesALossyLinkToAMachineThatRunsDamagedLines) {
   const StreamSettings settings = pacedSettings("reprapfirmware", LinkKind::Lossy);
   Streamer streamer(StreamableProgram::fromText("one", "G1 X1\n", settings), settings);

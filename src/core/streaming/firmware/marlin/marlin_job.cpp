@@ -403,7 +403,7 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
     return followEnquiry(now);
   }
   const bool is_draining = phase_ == Phase::Draining && isStopping();
-  if (is_draining && reply.temperatures && isSafe(*reply.temperatures, settings_)) return finishAborted("");
+  if (is_draining && endsStop(reply)) return finishAborted("");
   if (reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning) {
     has_answered_ = true;
     if (record_.status.state != PackmlState::Starting) timer_.restart(now);

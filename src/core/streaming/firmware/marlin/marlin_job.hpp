@@ -13,6 +13,7 @@
 #include "streaming/firmware/marlin/marlin_resend.hpp"
 #include "streaming/firmware/marlin/person_wait.hpp"
 #include "streaming/firmware/marlin/report_requests.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 #include "streaming/firmware/marlin/unnumbered_commands.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
@@ -153,6 +154,15 @@ class MarlinJob final : public StreamJob {
     fail(ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"", now);
   }
   void prepareSafeStop(double now);
+  /// Whether the machine has ended the safe stop, by its answer to the question that follows the lines of the
+  /// stop. What it reports unasked shows nothing: these lines may wait behind long motions. A tool that is
+  /// still heated, for example since its T command was lost, is switched off by the number in the report.
+  bool endsStop(const FirmwareReply& reply) {
+    if (reply.kind != ReplyKind::Ok || !reply.temperatures) return false;
+    if (isSafe(*reply.temperatures, settings_)) return true;
+    for (const std::string& command : reportedToolsOff(reply.text)) output_ += command + "\n";
+    return false;
+  }
   /// Whether all motions have ended and the reports are being turned off.
   bool isAtRest() const {
     return phase_ == Phase::Reporting && record_.status.state == PackmlState::Completing;

@@ -33,13 +33,18 @@ std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutp
   return commands;
 }
 
-std::vector<std::string> reportedHeatersOff(const std::string& report) {
+std::vector<std::string> reportedToolsOff(const std::string& report) {
   std::vector<std::string> commands;
   for (std::size_t at = report.find(" T"); at != std::string::npos; at = report.find(" T", at + 1)) {
     const std::size_t end = report.find_first_not_of("0123456789", at + 2);
     if (end == std::string::npos || end == at + 2 || report[end] != ':') continue;
     commands.push_back("M104 T" + report.substr(at + 2, end - at - 2) + " S0");
   }
+  return commands;
+}
+
+std::vector<std::string> reportedHeatersOff(const std::string& report) {
+  std::vector<std::string> commands = reportedToolsOff(report);
   commands.emplace_back("M141 S0");
   return commands;
 }

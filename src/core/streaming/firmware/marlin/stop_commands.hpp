@@ -20,6 +20,9 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
+/// Commands that switch off each tool that a temperature report names by its number.
+std::vector<std::string> reportedToolsOff(const std::string& report);
+
 /// Commands that switch off the chamber and each tool that a temperature report names, for a machine whose
 /// program's outputs are not known.
 std::vector<std::string> reportedHeatersOff(const std::string& report);

@@ -536,6 +536,7 @@ void OkPacedJob::onAnswer(const SyncAnswer& answer, double now) {
 
 void OkPacedJob::onRefusal(const FirmwareReply& reply, double now) {
   record_.status.message = reply.text;
+  if (failsByHeater(reply, now)) return;
   // One that comes while nothing is under way is another sender's.
   if (record_.isStarting() || isStopping() || (under_way_.empty() && phase_ == Phase::Feeding)) return;
   const std::string change = phase_ == Phase::Feeding ? under_way_.changeNext() : std::string();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/text.hpp"
 #include "streaming/firmware/ok_paced/lines_under_way.hpp"
 #include "streaming/firmware/ok_paced/motion_tracker.hpp"
 #include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
@@ -89,6 +90,15 @@ class OkPacedJob final : public StreamJob {
   void onOpeningOk(double now);
   void onAnswer(const SyncAnswer& answer, double now);
   void onRefusal(const FirmwareReply& reply, double now);
+  /// A heater that the firmware has switched off ends a begun job, whether lines are under way or not.
+  /// @return whether the reply reports one
+  bool failsByHeater(const FirmwareReply& reply, double now) {
+    const std::size_t heater = lowerCase(reply.text).find("heater");
+    if (!has_begun_ || isStopping() || heater == std::string::npos) return false;
+    if (lowerCase(reply.text).find("fault", heater) == std::string::npos) return false;
+    fail(ErrorCode::DeviceError, "the machine reports \"" + reply.text + "\"", now);
+    return true;
+  }
   void onHalt(const FirmwareReply& reply, double now);
   void onReason();
   void onRestart(const FirmwareReply& reply, double now);
