@@ -7,6 +7,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -46,10 +47,12 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
   if (motion_.correction) wait_.emplace(feeder_, *motion_.correction, settings_.loop.wait_s);
 }
 
-bool DriveSession::step(const ros::Time& present) {
+bool DriveSession::step() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
+  const DriveInstant present = links_.clock();
   const ros::Time now = followTime(present);
+  watchClock(present);
   begin(now);
   watch(now);
   awaitMap(now);
@@ -66,7 +69,8 @@ void DriveSession::begin(const ros::Time& now) {
 }
 
 /// The times of all points are those of a clock that only goes on; where it is set back by little it stands.
-ros::Time DriveSession::followTime(const ros::Time& now) {
+ros::Time DriveSession::followTime(const DriveInstant& present) {
+  const ros::Time now = present.ros;
   const ros::Time before = stepped_;
   if (now < before && (before - now).toSec() <= kSetBack) return before;
   stepped_ = now;
@@ -75,6 +79,20 @@ ros::Time DriveSession::followTime(const ros::Time& now) {
            {ErrorCode::DeviceError, "ROS time went back by " + numberText((before - now).toSec()) +
                                         " s; expected it to go on, for the controller follows points by it"});
   return now;
+}
+
+/// Once ROS time is set, each chunk's process is followed by the new time, but a controller in motion joins
+/// its points to those that it follows by the old one.
+void DriveSession::watchClock(const DriveInstant& present) {
+  if (given_up_at_ || !present.steady_s) return;
+  if (!first_step_) first_step_ = present;
+  const double passed_s = *present.steady_s - *first_step_->steady_s;
+  const double ahead_s = secondsBetween(first_step_->ros, present.ros) - passed_s;
+  if (std::abs(ahead_s) <= kSetBack) return;
+  giveUp(present.ros, {ErrorCode::DeviceError,
+                       "ROS time was set " + std::string(ahead_s > 0.0 ? "on" : "back") + " by " +
+                           numberText(std::abs(ahead_s)) + " s; expected at most " + numberText(kSetBack) +
+                           " s, for motion and process would no longer be in step"});
 }
 
 /// The controller's clock: by stamps that of its last report, which a slow host does not drive on [s].
@@ -151,9 +169,9 @@ std::string DriveSession::offer(const lamina_msgs::ToolpathConstPtr& plan) {
   return wait_ ? wait_->offer(plan) : "the machine is on its way to the start";
 }
 
-lamina_msgs::ToolpathConstPtr DriveSession::plan(const ros::Time& now) const {
+lamina_msgs::ToolpathConstPtr DriveSession::plan() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return duePlan(now);
+  return duePlan(links_.clock().ros);
 }
 
 lamina_msgs::ToolpathConstPtr DriveSession::duePlan(const ros::Time& now) const {
@@ -167,9 +185,9 @@ void DriveSession::refuse(const std::string& plan_id, const std::string& reason)
   if (wait_) wait_->refuse(plan_id, reason);
 }
 
-bool DriveSession::leaveFor(const std::string& plan_id, const ros::Time& now) {
+bool DriveSession::leaveFor(const std::string& plan_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const lamina_msgs::ToolpathConstPtr due = duePlan(now);
+  const lamina_msgs::ToolpathConstPtr due = duePlan(links_.clock().ros);
   is_left_ = due && due->id == plan_id;
   return is_left_;
 }
@@ -280,8 +298,9 @@ void DriveSession::expectReports(const ros::Time& from) {
   reports_.restart(from);
 }
 
-std::optional<std::string> DriveSession::pause(const ros::Time& now) {
+std::optional<std::string> DriveSession::pause() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   begin(now);
   if (is_left_) return std::string("the machine goes over to the layers left as planned anew");
   if (status_.state != PackmlState::Execute)
@@ -294,8 +313,9 @@ std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   return std::nullopt;
 }
 
-std::optional<std::string> DriveSession::resume(const ros::Time& now) {
+std::optional<std::string> DriveSession::resume() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
   if (wait_)
@@ -324,7 +344,7 @@ bool DriveSession::setShare(OverrideKind kind, double share) {
   if (isDry()) throw InvalidInput(std::string("a dry run has no ") + nameOf(kind) + "; expected feed");
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
-  const ros::Time now = ros::Time::now();
+  const ros::Time now = links_.clock().ros;
   begin(now);
   feeder_.setShare(kind, share, jobTime(now));
   (kind == OverrideKind::Flow ? status_.flow_share : status_.power_share) = share;
@@ -349,7 +369,7 @@ bool DriveSession::setSpeed(double share) {
   if (order != speed_orders_) return false;
   if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
   // Not before: the motion is cut a little after now, which must not have been sent as past by then.
-  const ros::Time now = ros::Time::now();
+  const ros::Time now = links_.clock().ros;
   begin(now);
   feeder_.setSpeed(change, jobTime(now));
   status_.feed_share = share;
@@ -358,8 +378,9 @@ bool DriveSession::setSpeed(double share) {
   return true;
 }
 
-void DriveSession::abort(const ros::Time& now, const Failure& why) {
+void DriveSession::abort(const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   if (isFinal(status_.state) || status_.state == PackmlState::Aborting || is_left_) return;
   begin(now);
   if (isAtRest(now)) expectReports(now);
@@ -390,10 +411,10 @@ void DriveSession::giveUp(const ros::Time& now, const Failure& why) {
   links_.controller.cancel();
 }
 
-void DriveSession::leave(const ros::Time& now, const Failure& why) {
+void DriveSession::leave(const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state) || is_left_) return;
-  giveUp(now, why);
+  giveUp(links_.clock().ros, why);
   status_.state = PackmlState::Aborted;
 }
 

@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "chunk_correction.hpp"
 #include "controller_client.hpp"
+#include "drive_clock.hpp"
 #include "driver_settings.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/packml.hpp"
@@ -64,6 +66,8 @@ struct DriveLinks {
   ControllerClient& controller;
   ProcessPublisher& process;
   const PresentJoints& joints;
+  /// Read while the session is locked: an instant from before a wait for it would be past.
+  std::function<DriveInstant()> clock = presentInstant;
 };
 
 /// One motion that is run by a controller. Its calls may come from several threads.
@@ -74,8 +78,9 @@ class DriveSession {
                const DriveLinks& links);
 
   /// Hands over the chunks that are due. Returns false once the motion has ended and everything is at rest.
-  /// Gives the motion up if ROS time has gone back by more than 0.05 s since the last call.
-  bool step(const ros::Time& present);
+  /// Gives the motion up if ROS time has gone back by more than 0.05 s since the last call, or has been set
+  /// by more than that since the first one: process and motion would no longer go by the same time.
+  bool step();
   void hear(const ControllerReport& report, const ros::Time& now);
 
   /// Takes a map for chunks that are not handed over yet. In front of each layer except the first the motion
@@ -90,16 +95,16 @@ class DriveSession {
   /// @return why it is not used, in words; empty if it is
   std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
   /// The offered plan, while the machine rests at its beginning, neither paused nor aborted; otherwise null.
-  lamina_msgs::ToolpathConstPtr plan(const ros::Time& now) const;
+  lamina_msgs::ToolpathConstPtr plan() const;
   /// States that the plan cannot be driven: it is not returned again.
   void refuse(const std::string& plan_id, const std::string& reason);
   /// Whether the motion changes to the plan now: the session is then over, can no longer be paused, and the
   /// caller drives the plan.
-  bool leaveFor(const std::string& plan_id, const ros::Time& now);
+  bool leaveFor(const std::string& plan_id);
 
   /// @return why not; nothing if it is done
-  std::optional<std::string> pause(const ros::Time& now);
-  std::optional<std::string> resume(const ros::Time& now);
+  std::optional<std::string> pause();
+  std::optional<std::string> resume();
   /// Sets the share of the planned values at which the motion continues (`TrajectoryFeeder`); during the
   /// approach at most the planned speeds. The share takes effect once it is computed; of several orders of
   /// the feed the last one holds, even if an earlier one takes longer to compute.
@@ -114,10 +119,10 @@ class DriveSession {
   const TrajectoryFeederSettings& feeding() const { return feeding_; }
   /// Brakes along the path, and switches off the whole process at once. Does nothing if the motion has ended
   /// or is aborted.
-  void abort(const ros::Time& now, const Failure& why);
+  void abort(const Failure& why);
   /// Ends a motion that has not ended in Aborted, since the caller no longer follows it; the controller must
   /// stop by itself. Does nothing if the motion has changed to a plan.
-  void leave(const ros::Time& now, const Failure& why);
+  void leave(const Failure& why);
 
   DriveStatus status() const;
 
@@ -126,7 +131,8 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
-  ros::Time followTime(const ros::Time& now);
+  ros::Time followTime(const DriveInstant& present);
+  void watchClock(const DriveInstant& present);
   bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
@@ -161,7 +167,8 @@ class DriveSession {
   std::optional<MapWait> wait_;  ///< nothing if the motion is driven as planned
   bool is_left_ = false;         ///< whether the session was left for a plan
   std::optional<ros::Time> given_up_at_;
-  ros::Time stepped_;  ///< the last step; zero before the first
+  ros::Time stepped_;                       ///< the last step; zero before the first
+  std::optional<DriveInstant> first_step_;  ///< that both clocks were read at
   DriveStatus status_;
   std::uint64_t speed_orders_ = 0;  ///< given so far
 

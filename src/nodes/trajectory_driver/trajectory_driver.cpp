@@ -303,7 +303,7 @@ std::optional<TrajectoryDriver::HeardMap> TrajectoryDriver::lastMap() const {
 /// the operator.
 std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(DriveSession& session,
                                                                            std::optional<PlanInWork>& work) {
-  const lamina_msgs::ToolpathConstPtr plan = session.plan(ros::Time::now());
+  const lamina_msgs::ToolpathConstPtr plan = session.plan();
   if (!plan) return std::nullopt;
   if (work && work->id != plan->id) work->result->giveUp();
   if (work && !work->result->isDone()) return std::nullopt;
@@ -316,12 +316,12 @@ std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(Drive
   const PlanInWork done = *std::exchange(work, std::nullopt);
   try {
     PreparedJob job = done.result->take();
-    if (session.leaveFor(plan->id, ros::Time::now())) return job;
+    if (session.leaveFor(plan->id)) return job;
   } catch (...) {
     const Failure failure = currentFailure();
     ROS_ERROR("plan %s cannot be driven, the job is held: %s", plan->id.c_str(), failure.message.c_str());
     session.refuse(plan->id, failure.message);
-    session.pause(ros::Time::now());
+    session.pause();
   }
   return std::nullopt;
 }
@@ -392,7 +392,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     session_.reset();
   });
   ros::Time shown;
-  for (abortIfCancelled(*session); session->step(ros::Time::now());) {
+  for (abortIfCancelled(*session); session->step();) {
     abortIfCancelled(*session);
     holdIfProcessFails(*session);
     holdWithoutOwner(*session);
@@ -407,7 +407,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     }
     if (!awaitStep()) break;
   }
-  session->leave(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+  session->leave({ErrorCode::Cancelled, "the node was ended"});
   tell(session->takeLayers());
   return {session->status(), std::nullopt};
 }
@@ -432,11 +432,9 @@ bool TrajectoryDriver::awaitStep() const {
 }
 
 void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {
-  if (is_abort_requested_) session.abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
-  if (action_.isPreemptRequested())
-    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
-  if (isStopRequested() || !ros::ok())
-    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+  if (is_abort_requested_) session.abort({ErrorCode::Cancelled, "aborted on request"});
+  if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
+  if (isStopRequested() || !ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
 }
 
 void TrajectoryDriver::awaitProcessIo() const {
@@ -457,7 +455,7 @@ void TrajectoryDriver::holdIfProcessFails(DriveSession& session) const {
   const ros::Time now = ros::Time::now();
   if (isDry() || session.status().state != PackmlState::Execute) return;
   const std::string fault = process_io_.fault(now);
-  if (fault.empty() || session.pause(now)) return;
+  if (fault.empty() || session.pause()) return;
   ROS_ERROR_STREAM("the job is held: " << fault);
 }
 
@@ -472,7 +470,7 @@ void TrajectoryDriver::holdWithoutOwner(DriveSession& session) {
   }
   is_hold_due_ = is_hold_due_ && owner_watch_.isLost();
   if (is_hold_due_ && session.status().state == PackmlState::Execute)
-    is_hold_due_ = session.pause(ros::Time::now()).has_value();
+    is_hold_due_ = session.pause().has_value();
 }
 
 /// That came before there was a session to correct.
@@ -556,7 +554,7 @@ Eigen::Matrix3d TrajectoryDriver::bedFromPart() const {
 bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
   const std::optional<std::string> refusal =
-      job ? job->pause(ros::Time::now()) : std::optional<std::string>("no toolpath is being driven");
+      job ? job->pause() : std::optional<std::string>("no toolpath is being driven");
   response.success = !refusal;
   response.message = refusal.value_or("holding");
   return true;
@@ -566,7 +564,7 @@ bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) 
   const auto job = session();
   const std::string fault = job && job->isDry() ? "" : process_io_.fault(ros::Time::now());
   std::optional<std::string> refusal = "no toolpath is being driven";
-  if (job) refusal = fault.empty() ? job->resume(ros::Time::now()) : fault;
+  if (job) refusal = fault.empty() ? job->resume() : fault;
   response.success = !refusal;
   response.message = refusal.value_or("going on");
   return true;
@@ -578,7 +576,7 @@ bool TrajectoryDriver::onAbort(Trigger::Request&, Trigger::Response& response) {
   if (!is_driving_) return true;
   // What runs next, if nothing does just now, sees it before it moves.
   is_abort_requested_ = true;
-  if (const auto job = session()) job->abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
+  if (const auto job = session()) job->abort({ErrorCode::Cancelled, "aborted on request"});
   return true;
 }
 

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodes/trajectory_driver/drive_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <thread>
+
+#include "lamina/base/progress.hpp"
+#include "nodes/trajectory_driver/drive_job.hpp"
+#include "ros/drive/two_beads.hpp"
+#include "ros/wait_until.hpp"
+
+namespace lamina {
+namespace {
+
+using test::waitUntil;
+using ActionGoal = follow::Action::_action_goal_type;
+
+constexpr double kStartDelay = 0.5;  // s
+constexpr double kTolerance = 1e-6;  // s
+
+class Uncancelled final : public Progress {
+ public:
+  void report(const std::string& /*stage*/, double /*fraction*/) override {}
+  bool isCancelled() const override { return false; }
+};
+
+DriverSettings driverSettings() {
+  DriverSettings settings;
+  settings.machine.name = "five_axis_head_table";
+  settings.is_clearance_checked = false;
+  settings.start_delay_s = kStartDelay;
+  settings.tracking.silence_s = 60.0;
+  return settings;
+}
+
+/// A session whose clock, controller and machine are the test.
+class SessionRun {
+ public:
+  SessionRun() {
+    const boost::function<void(const boost::shared_ptr<const ActionGoal>&)> on_goal =
+        [this](const auto& goal) { goals.push_back(goal->goal.trajectory); };
+    const boost::function<void(const actionlib_msgs::GoalIDConstPtr&)> on_cancel =
+        [this](const auto& cancel) { cancels.push_back(*cancel); };
+    goals_ = node_.subscribe<ActionGoal>("follow_joint_trajectory/goal", 1000, on_goal);
+    cancels_ = node_.subscribe<actionlib_msgs::GoalID>("follow_joint_trajectory/cancel", 1000, on_cancel);
+    waitUntil([&] { return goals_.getNumPublishers() > 0 && cancels_.getNumPublishers() > 0; });
+  }
+
+  void pass(double time_s) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    now_.ros += ros::Duration(time_s);
+    now_.steady_s = *now_.steady_s + time_s;
+  }
+  void setRosTimeOn(double time_s) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    now_.ros += ros::Duration(time_s);
+  }
+  ros::Time now() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return now_.ros;
+  }
+  /// Steps as the node does, for a time.
+  void run(double time_s) {
+    for (int step = 0; step < std::lround(time_s / 0.02); ++step) {
+      pass(0.02);
+      session.step();
+    }
+  }
+  /// Goals come in the order in which they were sent, and before a cancel that was sent after them.
+  bool isCancelled() {
+    return waitUntil([&] { return !cancels.empty(); });
+  }
+  Failure failure() const { return session.status().failure; }
+
+ private:
+  DriveInstant look() {
+    if (const auto wait = std::exchange(at_next_look, nullptr)) wait();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return now_;
+  }
+  static DriveJob jobOf(const KinematicModel& model, const DriverSettings& settings) {
+    MachineToolpath placed;
+    placed.machine = model.name();
+    placed.toolpath = test::twoBeads();
+    placed.id = toolpathId(placed.toolpath);
+    Uncancelled progress;
+    return driveJob(
+        placed, model, settings, [](const MachineCheck&) {}, progress);
+  }
+
+  std::mutex mutex_;
+  DriveInstant now_{ros::Time(1000.0), 10.0};
+  ros::NodeHandle node_{"drive_session"};
+  ros::Subscriber goals_, cancels_;
+  const DriverSettings settings_ = driverSettings();
+  const std::unique_ptr<const KinematicModel> model_ = kinematicModelOf(settings_.machine);
+  const DriveJob job_ = jobOf(*model_, settings_);
+  ControllerClient controller_{node_, *model_, [](const ControllerReport&) {}};
+  ProcessPublisher process_{node_};
+  PresentJoints joints_{node_, *model_};
+
+ public:
+  std::function<void()> at_next_look;  ///< of the session at its clock
+  std::vector<trajectory_msgs::JointTrajectory> goals;
+  std::vector<actionlib_msgs::GoalID> cancels;
+  DriveSession session{{*job_.timed.trajectory, job_.placed.id},
+                       *model_,
+                       settings_,
+                       {controller_, process_, joints_, [this] { return look(); }}};
+};
+
+TEST(DriveSession, GivesUpOnceRosTimeIsSetOn) {
+  SessionRun run;
+  run.session.step();
+  run.run(1.0);
+  run.setRosTimeOn(0.04);
+  run.run(0.1);
+  EXPECT_EQ(run.failure().code, ErrorCode::Ok) << "a clock may be corrected: " << run.failure().message;
+  run.setRosTimeOn(0.3);
+  run.run(0.02);
+  EXPECT_EQ(run.failure().code, ErrorCode::DeviceError);
+  EXPECT_NE(run.failure().message.find("ROS time was set on by 0.34 s"), std::string::npos)
+      << run.failure().message;
+  EXPECT_EQ(run.session.status().state, PackmlState::Aborted) << "with joints that are still";
+  EXPECT_TRUE(run.isCancelled());
+}
+
+}  // namespace
+}  // namespace lamina
