@@ -18,6 +18,7 @@ constexpr double kSetBack = 0.05;   // s by which a clock may be corrected
 constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
 constexpr double kShortOf = 0.995;  // of a share, that is reported
+constexpr double kSame = 1e-6;      // mm or rad: joints that have not been moved
 constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
 
 /// With nothing of the process on, more than the planned speed harms no bead.
@@ -132,6 +133,15 @@ void DriveSession::watch(const ros::Time& now) {
     brake(now, {ErrorCode::DeviceError, *deviation}, Lift::No);
 }
 
+/// Whether the controller has come to the end of what it has while the motion was to go on: the points that
+/// follow are past, and it would leap to the first one that is not. By stamps its clock waits for them.
+bool DriveSession::hasRunDry(const ros::Time& now) const {
+  const double now_s = jobTime(now);
+  if (isByStamps() || fed_s_ <= 0.0 || now_s <= fed_s_) return false;
+  const JointValues missed = feeder_.at(now_s).position - feeder_.at(fed_s_).position;
+  return missed.cwiseAbs().maxCoeff() > kSame;
+}
+
 void DriveSession::feed(const ros::Time& now) {
   if (given_up_at_) return;
   if (feeder_.state() == TrajectoryFeederState::Running && !feeder_.isHeld() && fed_s_ > 0.0) {
@@ -140,6 +150,11 @@ void DriveSession::feed(const ros::Time& now) {
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
   }
+  if (hasRunDry(now))
+    return giveUp(now, {ErrorCode::DeviceError,
+                        "the controller had nothing left to follow for " + numberText(jobTime(now) - fed_s_) +
+                            " s amid the motion; expected it to be fed at least " +
+                            numberText(feeding_.ahead_s) + " s ahead (feeder.ahead_s)"});
   while (std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
     if (motion_.correction) {
       chunk = motion_.correction->corrected(std::move(*chunk));

@@ -140,6 +140,7 @@ class DriveSession {
   bool isRun(const ros::Time& now) const;
   void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
+  bool hasRunDry(const ros::Time& now) const;
   void feed(const ros::Time& now);
   void follow(const ros::Time& now);
   void measureLaid(double time_s);

@@ -128,5 +128,18 @@ TEST(DriveSession, GivesUpOnceRosTimeIsSetOn) {
   EXPECT_TRUE(run.isCancelled());
 }
 
+TEST(DriveSession, HandsOverNoPointsOfThePastOnceTheControllerRanDry) {
+  SessionRun run;
+  run.session.step();
+  run.pass(3.0);
+  run.session.step();
+  EXPECT_EQ(run.failure().code, ErrorCode::DeviceError);
+  EXPECT_NE(run.failure().message.find("nothing left to follow"), std::string::npos) << run.failure().message;
+  EXPECT_EQ(run.session.status().feeding.starvations, 1U);
+  ASSERT_TRUE(run.isCancelled());
+  for (const trajectory_msgs::JointTrajectory& goal : run.goals)
+    EXPECT_LT((goal.header.stamp - run.now()).toSec(), -2.0) << "sent at the first step";
+}
+
 }  // namespace
 }  // namespace lamina
