@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -100,8 +102,9 @@ void shareMaterial(ProcessSignals& signals, double share) {
     if (signals.levels.has(level)) signals.levels[level] *= share;
 }
 
-constexpr double kLeastSpeed = 0.01;  // of the planned speeds
-constexpr double kGridSlack = 1e-6;   // of a step: a time this near to a point is that point's
+constexpr double kLeastSpeed = 0.01;    // of the planned speeds
+constexpr double kLeastReaction = 0.5;  // of the reaction time, that is left to hand a change over
+constexpr double kGridSlack = 1e-6;     // of a step: a time this near to a point is that point's
 
 }  // namespace
 
@@ -231,23 +234,29 @@ class TrajectoryFeeder::State {
     return {share, reached, std::move(plan)};
   }
 
-  void setSpeed(const SpeedChange& change, double now_s) {
-    if (change.share == std::exchange(speed_share_, change.share)) return;
+  bool setSpeed(const SpeedChange& change, double now_s, const std::function<double()>& clock) {
+    const auto former = std::make_tuple(speed_share_, speeds_, fastest_share_, fastest_);
+    if (change.share == std::exchange(speed_share_, change.share)) return true;
     speeds_ = change.plan ? change.plan : planned_;
     // A plan for greater feeds is nowhere slower than one for lesser ones.
     if (change.share > fastest_share_) {
       fastest_ = speeds_;
       fastest_share_ = change.share;
     }
-    if (state_ != TrajectoryFeederState::Running) return;
+    if (state_ != TrajectoryFeederState::Running) return true;
     const WayToRest before = wayToRest();
-    if (!goOnAtSpeed(now_s)) return;
+    if (!goOnAtSpeed(now_s)) return true;
     const std::optional<std::size_t> layer = std::exchange(held_layer_, std::nullopt);
     reschedule();
-    if (!layer || hold(*layer, now_s)) return;
+    const bool is_held_still = !layer || hold(*layer, now_s);
+    const bool is_in_time =
+        clock() <= now_s + kLeastReaction * settings_.reaction_s || (before.sent < 0 && now_s <= 0.0);
+    if (is_held_still && is_in_time) return true;
     goBackTo(before);
     held_layer_ = layer;
     reschedule();
+    if (!is_in_time) std::tie(speed_share_, speeds_, fastest_share_, fastest_) = former;
+    return is_in_time;
   }
 
   void setShare(OverrideKind kind, double share, double now_s) {
@@ -437,10 +446,14 @@ TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = def
 std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
 void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
 SpeedChange TrajectoryFeeder::speedChange(double share) const { return state_->speedChange(share); }
-void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) { state_->setSpeed(change, now_s); }
-void TrajectoryFeeder::setSpeed(double share, double now_s) {
-  state_->setSpeed(state_->speedChange(share), now_s);
+bool TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s,
+                                const std::function<double()>& clock) {
+  return state_->setSpeed(change, now_s, clock);
 }
+void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) {
+  state_->setSpeed(change, now_s, [now_s] { return now_s; });
+}
+void TrajectoryFeeder::setSpeed(double share, double now_s) { setSpeed(speedChange(share), now_s); }
 void TrajectoryFeeder::setShare(OverrideKind kind, double share, double now_s) {
   state_->setShare(kind, share, now_s);
 }

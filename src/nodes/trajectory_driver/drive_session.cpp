@@ -19,6 +19,7 @@ constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
 constexpr double kShortOf = 0.995;  // of a share, that is reported
 constexpr double kSame = 1e-6;      // mm or rad: joints that have not been moved
+constexpr double kLonger = 2.0;     // what took a time may take that much more of it
 constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
 
 /// With nothing of the process on, more than the planned speed harms no bead.
@@ -380,17 +381,25 @@ bool DriveSession::setSpeed(double share) {
     ROS_WARN(
         "the limits of joints and path let the motion take %.4g of the planned speeds on average, not %.4g",
         change.reached, share);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (order != speed_orders_) return false;
-  if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
-  // Not before: the motion is cut a little after now, which must not have been sent as past by then.
-  const ros::Time now = links_.clock().ros;
-  begin(now);
-  feeder_.setSpeed(change, jobTime(now));
-  status_.feed_share = share;
-  status_.reached_share = change.reached;
-  feed(now);
-  return true;
+  double later_s = 0.0;
+  for (;;) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (order != speed_orders_) return false;
+    if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
+    const ros::Time before = links_.clock().ros;
+    begin(before);
+    const auto clock = [this] { return jobTime(links_.clock().ros); };
+    const bool is_set = feeder_.setSpeed(change, jobTime(before) + later_s, clock);
+    // What is changed must not be past once it is sent; meanwhile the controller needs what it has.
+    const ros::Time now = links_.clock().ros;
+    if (is_set) {
+      status_.feed_share = share;
+      status_.reached_share = change.reached;
+    }
+    feed(now);
+    if (is_set) return true;
+    later_s = kLonger * (now - before).toSec();
+  }
 }
 
 void DriveSession::abort(const Failure& why) {

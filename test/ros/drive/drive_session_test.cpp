@@ -19,6 +19,7 @@ using test::waitUntil;
 using ActionGoal = follow::Action::_action_goal_type;
 
 constexpr double kStartDelay = 0.5;  // s
+constexpr double kPoint = 0.004;     // s between points
 constexpr double kTolerance = 1e-6;  // s
 
 class Uncancelled final : public Progress {
@@ -73,11 +74,16 @@ class SessionRun {
   bool isCancelled() {
     return waitUntil([&] { return !cancels.empty(); });
   }
+  std::size_t goalsSoFar() {
+    ros::spinOnce();
+    return goals.size();
+  }
   Failure failure() const { return session.status().failure; }
 
  private:
   DriveInstant look() {
     if (const auto wait = std::exchange(at_next_look, nullptr)) wait();
+    if (look_s > 0.0) pass(look_s);
     const std::lock_guard<std::mutex> lock(mutex_);
     return now_;
   }
@@ -104,6 +110,7 @@ class SessionRun {
 
  public:
   std::function<void()> at_next_look;  ///< of the session at its clock
+  double look_s = 0.0;                 ///< that pass until each
   std::vector<trajectory_msgs::JointTrajectory> goals;
   std::vector<actionlib_msgs::GoalID> cancels;
   DriveSession session{{*job_.timed.trajectory, job_.placed.id},
@@ -139,6 +146,53 @@ TEST(DriveSession, HandsOverNoPointsOfThePastOnceTheControllerRanDry) {
   ASSERT_TRUE(run.isCancelled());
   for (const trajectory_msgs::JointTrajectory& goal : run.goals)
     EXPECT_LT((goal.header.stamp - run.now()).toSec(), -2.0) << "sent at the first step";
+}
+
+/// The session is locked while it looks at its clock, as while it sends.
+TEST(DriveSession, AbortsFromWhenItsTurnComes) {
+  SessionRun run;
+  run.session.step();
+  run.run(1.5);
+  const std::size_t before = run.goalsSoFar();
+  std::promise<void> is_locked;
+  std::promise<void> may_go_on;
+  run.at_next_look = [&] {
+    is_locked.set_value();
+    may_go_on.get_future().wait();
+  };
+  std::thread stepping([&] { run.session.step(); });
+  is_locked.get_future().wait();
+  std::thread aborting([&] { run.session.abort({ErrorCode::Cancelled, "asked for"}); });
+  ros::WallDuration(0.1).sleep();  // in which one that does not wait would have looked at the clock
+  run.pass(0.3);
+  may_go_on.set_value();
+  stepping.join();
+  aborting.join();
+  run.session.leave({ErrorCode::Cancelled, "for good"});
+  ASSERT_TRUE(run.isCancelled());
+  ASSERT_GT(run.goals.size(), before);
+  for (std::size_t i = before; i < run.goals.size(); ++i)
+    EXPECT_GE((run.goals[i].header.stamp - run.now()).toSec(), -kPoint - kTolerance);
+}
+
+TEST(DriveSession, ChangesTheFeedFromWhenItIsWorkedOut) {
+  SessionRun run;
+  run.session.step();
+  run.run(1.5);
+  const double planned_s = run.session.status().duration_s;
+  const std::size_t before = run.goalsSoFar();
+  run.look_s = 0.1;
+  EXPECT_TRUE(run.session.setShare(OverrideKind::Feed, 0.5));
+  run.look_s = 0.0;
+  const ros::Time sent = run.now();
+  run.run(0.02);
+  EXPECT_GT(run.session.status().duration_s, planned_s + 1.0);
+  EXPECT_EQ(run.failure().code, ErrorCode::Ok) << run.failure().message;
+  run.session.leave({ErrorCode::Cancelled, "for good"});
+  ASSERT_TRUE(run.isCancelled());
+  ASSERT_GT(run.goals.size(), before);
+  for (std::size_t i = before; i < run.goals.size(); ++i)
+    EXPECT_GE((run.goals[i].header.stamp - sent).toSec(), 0.0) << "what takes a place is not past";
 }
 
 }  // namespace
