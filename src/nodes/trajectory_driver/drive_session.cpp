@@ -166,6 +166,7 @@ void DriveSession::feed(const ros::Time& now) {
     links_.process.send(*chunk, begin_, motion_.toolpath_id, motion_.process);
     links_.controller.send(*chunk, begin_);
     fed_s_ = chunk->points.back().time_s;
+    fed_to_ = chunk->points.back().position;
   }
 }
 
@@ -329,11 +330,27 @@ std::optional<std::string> DriveSession::pause() {
   return std::nullopt;
 }
 
+/// Why a motion that is held cannot go on from where the joints are; empty if it can. Looked at unlocked, for
+/// reports are waited for.
+std::string DriveSession::displacement() const {
+  JointValues place;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (status_.state != PackmlState::Held) return {};
+    place = fed_to_;
+  }
+  if (place.size() == 0) return {};
+  const TrackingLimits& limits = settings_.tracking;
+  return links_.joints.refusalAt(place, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+}
+
 std::optional<std::string> DriveSession::resume() {
+  const std::string displaced = displacement();
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = links_.clock().ros;
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
+  if (!displaced.empty()) return displaced;
   if (wait_)
     wait_->resume(jobTime(now));
   else

@@ -104,6 +104,9 @@ class DriveSession {
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause();
+  /// Refuses where the joints are not as they were handed over last: a controller that does not look where it
+  /// starts from would leap back through the part. Waits for their reports, no longer than
+  /// `controller_wait_s`.
   std::optional<std::string> resume();
   /// Sets the share of the planned values at which the motion continues (`TrajectoryFeeder`); during the
   /// approach at most the planned speeds. The share takes effect once it is computed; of several orders of
@@ -140,6 +143,7 @@ class DriveSession {
   bool isRun(const ros::Time& now) const;
   void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
+  std::string displacement() const;
   bool hasRunDry(const ros::Time& now) const;
   void feed(const ros::Time& now);
   void follow(const ros::Time& now);
@@ -163,6 +167,7 @@ class DriveSession {
   ros::Time begin_;                  ///< when the clock of the points is 0; zero before the first are sent
   std::optional<ros::Time> run_at_;  ///< time at which the planned motion ended
   double fed_s_ = 0.0;               ///< end of the chunks that were sent
+  JointValues fed_to_;               ///< where they end; of size 0 before the first
   bool was_starved_ = false;
   double laid_mm3_ = 0.0;        ///< volume of the laid beads as planned
   std::optional<MapWait> wait_;  ///< nothing if the motion is driven as planned

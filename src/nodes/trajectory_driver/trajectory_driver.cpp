@@ -371,7 +371,17 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
   return fromMessage(*message);
 }
 
+/// Time has passed since the way there was looked for, or since it was gone.
+void TrajectoryDriver::requireAtStart(const DriveMotion& motion) const {
+  const JointValues start = TrajectoryFeeder(motion.path, settings_.feeder, motion.from_mm).at(0.0).position;
+  const TrackingLimits& limits = settings_.tracking;
+  const std::string refusal =
+      joints_.refusalAt(start, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+  if (!refusal.empty()) throw DeviceError("the motion is not begun: " + refusal);
+}
+
 TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
+  requireAtStart(motion);
   const auto session =
       std::make_shared<DriveSession>(motion, *model_, settings_, DriveLinks{controller_, process_, joints_});
   {

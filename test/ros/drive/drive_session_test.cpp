@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <future>
+#include <optional>
+#include <string>
 #include <thread>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/progress.hpp"
+#include "names.hpp"
 #include "nodes/trajectory_driver/drive_job.hpp"
 #include "ros/drive/two_beads.hpp"
 #include "ros/wait_until.hpp"
@@ -34,6 +38,7 @@ DriverSettings driverSettings() {
   settings.is_clearance_checked = false;
   settings.start_delay_s = kStartDelay;
   settings.tracking.silence_s = 60.0;
+  settings.controller_wait_s = 0.5;
   return settings;
 }
 
@@ -78,6 +83,21 @@ class SessionRun {
     ros::spinOnce();
     return goals.size();
   }
+  /// Joints report that they are where the last goal ends, but for the first one [m].
+  void tellJoints(double off_m) {
+    sensor_msgs::JointState state;
+    state.name = goals.back().joint_names;
+    state.position = goals.back().points.back().positions;
+    state.position[0] += off_m;
+    JointValues values(static_cast<Eigen::Index>(state.position.size()));
+    for (std::size_t j = 0; j < state.position.size(); ++j)
+      values[static_cast<Eigen::Index>(j)] =
+          state.position[j] * (model_->joints()[j].kind == JointKind::Linear ? 1e3 : 1.0);
+    ASSERT_TRUE(waitUntil([&] {
+      told_.publish(state);
+      return joints_.refusalAt(values, 0.0, 60.0, 0.0).empty();
+    }));
+  }
   Failure failure() const { return session.status().failure; }
 
  private:
@@ -107,6 +127,7 @@ class SessionRun {
   ControllerClient controller_{node_, *model_, [](const ControllerReport&) {}};
   ProcessPublisher process_{node_};
   PresentJoints joints_{node_, *model_};
+  ros::Publisher told_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, 10);
 
  public:
   std::function<void()> at_next_look;  ///< of the session at its clock
@@ -193,6 +214,29 @@ TEST(DriveSession, ChangesTheFeedFromWhenItIsWorkedOut) {
   ASSERT_GT(run.goals.size(), before);
   for (std::size_t i = before; i < run.goals.size(); ++i)
     EXPECT_GE((run.goals[i].header.stamp - sent).toSec(), 0.0) << "what takes a place is not past";
+}
+
+TEST(DriveSession, ResumesOnlyWhereTheMachineStandsWhereItWasHeld) {
+  SessionRun run;
+  run.session.step();
+  run.run(1.5);
+  ASSERT_FALSE(run.session.pause());
+  run.run(1.0);
+  ASSERT_EQ(run.session.status().state, PackmlState::Held);
+  run.goalsSoFar();
+  run.tellJoints(0.01);
+  const std::size_t before = run.goalsSoFar();
+  const std::optional<std::string> refusal = run.session.resume();
+  ASSERT_TRUE(refusal);
+  const std::string joint = "joint '" + run.goals.back().joint_names[0] + "' is at ";
+  EXPECT_NE(refusal->find(joint), std::string::npos) << *refusal;
+  EXPECT_EQ(run.session.status().state, PackmlState::Held);
+  EXPECT_EQ(run.goalsSoFar(), before);
+  run.tellJoints(0.0005);
+  EXPECT_EQ(run.session.resume().value_or(""), "") << "by half a millimetre a controller may be off";
+  run.session.leave({ErrorCode::Cancelled, "for good"});
+  ASSERT_TRUE(run.isCancelled());
+  EXPECT_GT(run.goals.size(), before);
 }
 
 }  // namespace
