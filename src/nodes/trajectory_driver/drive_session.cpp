@@ -425,7 +425,9 @@ void DriveSession::abort(const Failure& why) {
   if (isFinal(status_.state) || status_.state == PackmlState::Aborting || is_left_) return;
   begin(now);
   if (isAtRest(now)) expectReports(now);
-  brake(now, why, settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
+  // What does not move yet does not begin to, and nothing was looked for on the way of a lift.
+  const bool has_moved = jobTime(now) > 0.0;
+  brake(now, why, has_moved && settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
 }
 
 void DriveSession::brake(const ros::Time& now, const Failure& why, Lift lift) {

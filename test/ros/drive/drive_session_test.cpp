@@ -239,5 +239,17 @@ TEST(DriveSession, ResumesOnlyWhereTheMachineStandsWhereItWasHeld) {
   EXPECT_GT(run.goals.size(), before);
 }
 
+TEST(DriveSession, AnAbortBeforeTheFirstMotionMovesNothing) {
+  SessionRun run;
+  run.session.step();
+  run.run(0.2);
+  run.session.abort({ErrorCode::Cancelled, "asked for"});
+  run.run(5.0);
+  EXPECT_EQ(run.session.status().state, PackmlState::Aborted);
+  run.goalsSoFar();
+  const auto& start = run.goals.front().points.front().positions;
+  for (const auto& point : run.goals.back().points) EXPECT_EQ(point.positions, start);
+}
+
 }  // namespace
 }  // namespace lamina
