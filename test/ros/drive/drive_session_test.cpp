@@ -251,5 +251,17 @@ TEST(DriveSession, AnAbortBeforeTheFirstMotionMovesNothing) {
   for (const auto& point : run.goals.back().points) EXPECT_EQ(point.positions, start);
 }
 
+/// A goal that comes after the cancel is known by the time at which it was sent.
+TEST(DriveSession, CancelsGoalsThatAreStillOnTheirWay) {
+  SessionRun run;
+  run.session.step();
+  const ros::Time sent = ros::Time::now();
+  run.session.leave({ErrorCode::Cancelled, "for good"});
+  ASSERT_TRUE(waitUntil([&] { return run.cancels.size() == 2; }));
+  EXPECT_TRUE(run.cancels[0].stamp.isZero()) << "all that have come";
+  EXPECT_EQ(run.cancels[1].id, "");
+  EXPECT_GE(run.cancels[1].stamp, sent);
+}
+
 }  // namespace
 }  // namespace lamina
