@@ -8,6 +8,9 @@
 
 namespace lamina {
 
+/// By which ROS time may be corrected while a motion follows it [s].
+inline constexpr double kSetBack = 0.05;
+
 /// An instant by two clocks: ROS time, by which points are followed and which may be set, and one that only
 /// goes on.
 struct DriveInstant {

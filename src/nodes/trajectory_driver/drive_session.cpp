@@ -14,7 +14,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kSetBack = 0.05;   // s by which a clock may be corrected
 constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
 constexpr double kShortOf = 0.995;  // of a share, that is reported
