@@ -188,12 +188,9 @@ class TrajectoryFeeder::State {
     if (state_ != TrajectoryFeederState::Running || isHeld()) return false;
     const auto begins = layerBegin(layer);
     if (!begins || *begins < reactionTo(now_s)) return false;
-    const WayToRest before = wayToRest();
-    if (!brakeFrom(*begins)) return false;
-    if (restsOnBeadFrom(layer)) {
-      goBackTo(before);
-      return false;
-    }
+    // Of layers that it cannot stop at there may be thousands: the way there is not taken for each.
+    if (*begins >= timeline_.end() || restsOnBeadFrom(layer, stopFrom(*begins))) return false;
+    brakeFrom(*begins);
     held_layer_ = layer;
     reschedule();
     return true;
@@ -326,9 +323,23 @@ class TrajectoryFeeder::State {
     return place.curve->spanEnd(place.span).heading_for.layer;
   }
 
-  /// Whether it comes to rest where a layer, or one above it, is being deposited.
-  bool restsOnBeadFrom(std::size_t layer) const {
-    return layerOf(rest_) >= layer && rest_.along > 0.0 && rest_.curve->spanEnd(rest_.span).area_mm2 > 0.0;
+  /// Whether a rest is where a layer, or one above it, is being deposited.
+  bool restsOnBeadFrom(std::size_t layer, const MotionPlace& rest) const {
+    return layerOf(rest) >= layer && rest.along > 0.0 && rest.curve->spanEnd(rest.span).area_mm2 > 0.0;
+  }
+
+  /// Where braking from a time before the end would lead to.
+  MotionPlace stopFrom(double cut_s) const {
+    Timeline way = restAt(timeline_.placeAt(cut_s));
+    fastest_->appendStop(way, timeline_.placeAt(cut_s));
+    return way.placeAt(way.end());
+  }
+
+  /// A timeline of nothing but a rest, of one point.
+  Timeline restAt(const MotionPlace& place) const {
+    Timeline rest;
+    rest.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt}, timeOf(1));
+    return rest;
   }
 
   /// A way to rest that would end beyond where the layer begins is no shorter than the one that it is on.
@@ -386,9 +397,7 @@ class TrajectoryFeeder::State {
     if (cut_s > 0.0) {
       timeline_.cut(cut_s);
     } else {
-      timeline_ = Timeline();
-      timeline_.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt},
-                       1.0 / settings_.rate_hz);
+      timeline_ = restAt(place);
     }
     fastest_->appendStop(timeline_, place);
     rest_ = timeline_.placeAt(timeline_.end());
