@@ -74,7 +74,8 @@ class BridgeRun {
       : bridge(tables, settings, 0.0) {
     view.devices.assign(2, {true, ""});
     view.measured = {kNaN, kNaN, kNaN};
-    run(60);  // armed
+    plan({}, 0.6);  // as in front of a bead
+    run(60);        // armed
   }
 
   void plan(const ProcessSignals& signals, double duration_s) {
@@ -138,6 +139,42 @@ TEST(ProcessBridge, ALostDeviceTripsAllUntilTheProcessIsOff) {
   run.plan(laying(), 1.0);
   run.run(1);
   EXPECT_EQ(run.last.values, kLaying);
+}
+
+TEST(ProcessBridge, BeginsNoBeadInItsMiddleWhenItIsStartedAnew) {
+  ProcessBridge bridge(laserAndWire(), {}, 0.0);
+  CycleView view;
+  view.devices.assign(2, {true, ""});
+  view.measured = {kNaN, kNaN, kNaN};
+  auto until = [&, cycles = 0](double time_s) mutable {
+    BridgeCycle last;
+    std::vector<double> greatest = kSafe;
+    for (; cycles * kCycle < time_s; ++cycles) {
+      bridge.updatePositions({{"x", cycles * kCycle}}, cycles * kCycle);
+      last = bridge.cycle(cycles * kCycle, view);
+      for (std::size_t i = 0; i < greatest.size(); ++i) greatest[i] = std::max(greatest[i], last.values[i]);
+    }
+    return std::make_pair(greatest, last.fault);
+  };
+  until(0.1);
+  bridge.accept({{{0.8, laying()}, {2.0, laying()}}, 2.0}, 0.1);
+  bridge.accept({{{2.0, laying()}, {3.0, laying()}}, 3.0}, 0.9);
+  const auto [in_bead, fault] = until(2.9);
+  EXPECT_EQ(in_bead, kSafe);
+  EXPECT_NE(fault.find("in the middle of a bead"), std::string::npos) << fault;
+  bridge.accept({{{3.0, {}}, {3.7, {}}, {3.701, laying()}, {5.0, laying()}}, 5.0}, 2.9);
+  EXPECT_EQ(until(3.65).second, "");
+  EXPECT_EQ(until(4.0).first, kLaying) << "the next bead from its start";
+}
+
+TEST(ProcessBridge, ChunksThatAreTimedAFewMillisecondsApartAreOfOneBead) {
+  BridgeRun run;
+  run.plan(laying(), 0.1);
+  const double from_s = run.now_s + 0.1 + 0.02;
+  run.bridge.accept({{{from_s, laying()}, {from_s + 1.0, laying()}}, from_s + 1.0}, run.now_s);
+  run.run(50);
+  EXPECT_EQ(run.last.values, kLaying);
+  EXPECT_EQ(run.last.fault, "");
 }
 
 /// Cycles until the beam is taken back on a machine of three joints at rest, or 200.

@@ -129,5 +129,25 @@ TEST(TrajectoryFeeder, RefusesSharesOfWhatIsNotThere) {
   EXPECT_EQ(feeder.at(0.5).process, timed.at(0.5).process);
 }
 
+/// Of 0.05 s, which a change may take half of.
+TEST(TrajectoryFeeder, AChangeOfSpeedThatIsComputedTooLateChangesNothing) {
+  const TimedPath timed = timedGantry(test::twoLayers(), powderSettings());
+  TrajectoryFeeder feeder(timed, {});
+  const TrajectoryFeeder planned(timed, {});
+  JointState last;
+  while (const auto chunk = feeder.next(0.3)) last = chunk->points.back();
+  const SpeedChange half = feeder.speedChange(0.5);
+  EXPECT_FALSE(feeder.setSpeed(half, 0.3, [] { return 0.33; }));
+  for (double time_s = 0.0; time_s < timed.duration(); time_s += 0.01)
+    expectSame(feeder.at(time_s), planned.at(time_s));
+  EXPECT_FALSE(feeder.next(0.3)) << "nothing is replaced";
+  EXPECT_TRUE(feeder.setSpeed(half, 0.36, [] { return 0.38; }));
+  expectSame(feeder.at(0.41), planned.at(0.41));
+  EXPECT_GT(feeder.restTime(), planned.restTime() + 0.1);
+  const auto chunk = feeder.next(0.38);
+  ASSERT_TRUE(chunk);
+  EXPECT_NEAR(chunk->points.front().time_s, 0.412, 1e-9) << "the first point after 0.36 + 0.05 s";
+}
+
 }  // namespace
 }  // namespace lamina

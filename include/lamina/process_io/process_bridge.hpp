@@ -53,9 +53,9 @@ struct BridgeCycle {
 /// or output itself: callers pass times and measured values, and send the values.
 ///
 /// Values are the safe ones wherever the plan is not known. A device that is not connected, an output that is
-/// too late (5104) and a beam without motion (5105) trip the bridge: all values are then the safe ones until
-/// every device is connected and the plan has had the process off for half a second, so that no bead is begun
-/// in its middle.
+/// too late (5104), a beam without motion (5105) and a plan that begins with a flow where nothing was known
+/// before, as after a restart, trip the bridge: all values are then the safe ones until every device is
+/// connected and the plan has had the process off for half a second, so that no bead is begun in its middle.
 class ProcessBridge {
  public:
   ProcessBridge(const ProcessTables& tables, const ProcessBridgeSettings& settings, double now_s);
@@ -107,6 +107,7 @@ class ProcessBridge {
   bool are_all_connected_ = false;
   std::string trip_;  ///< why the bridge has tripped; empty if it has not
   std::optional<double> off_since_s_;
+  std::optional<double> mid_bead_s_;  ///< when a plan comes that begins in the middle of a bead
   std::optional<double> beam_since_s_;
   double chunk_late_s_ = 0.0;  ///< greatest lateness of a chunk since the last cycle
   double late_reported_s_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -91,6 +92,10 @@ class TrajectoryFeeder {
   /// paused or at rest, a change takes effect on resuming. A hold at a layer remains. The flow is scaled with
   /// the speed.
   void setSpeed(const SpeedChange& change, double now_s);
+  /// As above. Takes linear time, which `clock` measures.
+  /// @param now_s  may be later than now, for the change to be handed over in time
+  /// @return false, without effect, if less than half of the reaction time is left when it is computed
+  bool setSpeed(const SpeedChange& change, double now_s, const std::function<double()>& clock);
   /// Computes a change of speed and makes it.
   /// @param share  of the planned speeds; 1 at the start of the job
   /// @throws InvalidInput as `speedRefusal`; nothing changes

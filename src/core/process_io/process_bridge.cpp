@@ -57,6 +57,13 @@ ProcessBridge::ProcessBridge(const ProcessTables& tables, const ProcessBridgeSet
 void ProcessBridge::accept(const ProcessChunk& chunk, double now_s) {
   const double known_s = plan_.validUntil();
   plan_.accept(chunk);
+  const PlannedProcess& first = chunk.points.front();
+  // From rest nothing flows: what flows at once was begun where nobody heard of it. By less than what is too
+  // late the chunks of one motion may be apart, since each is timed by itself.
+  if (first.signals.flow_mm3_s > 0.0 && first.time_s > known_s + settings_.too_late_s) {
+    mid_bead_s_ = first.time_s;
+    trip("the plan of the process begins in the middle of a bead; expected it off at first");
+  }
   const double sent_until_s = now_s + longest_lead_s_;
   if (chunk.points.front().time_s < std::min(known_s, sent_until_s) - ProcessPlan::kMeet) ++overtaken_;
   const auto first_on = std::find_if(
@@ -133,7 +140,9 @@ void ProcessBridge::lookAtBeam(double now_s) {
 }
 
 void ProcessBridge::rearm(double now_s) {
-  if (!isOff(planned(now_s)) || !are_all_connected_) return off_since_s_.reset();
+  if (mid_bead_s_ && now_s >= *mid_bead_s_) mid_bead_s_.reset();
+  // A bead that is on its way is not over before it comes, though nothing is known until then.
+  if (!isOff(planned(now_s)) || !are_all_connected_ || mid_bead_s_) return off_since_s_.reset();
   if (!off_since_s_) off_since_s_ = now_s;
   if (now_s - *off_since_s_ >= kRest) trip_.clear();
 }

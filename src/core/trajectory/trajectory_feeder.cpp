@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -100,8 +102,9 @@ void shareMaterial(ProcessSignals& signals, double share) {
     if (signals.levels.has(level)) signals.levels[level] *= share;
 }
 
-constexpr double kLeastSpeed = 0.01;  // of the planned speeds
-constexpr double kGridSlack = 1e-6;   // of a step: a time this near to a point is that point's
+constexpr double kLeastSpeed = 0.01;    // of the planned speeds
+constexpr double kLeastReaction = 0.5;  // of the reaction time, that is left to hand a change over
+constexpr double kGridSlack = 1e-6;     // of a step: a time this near to a point is that point's
 
 }  // namespace
 
@@ -185,12 +188,9 @@ class TrajectoryFeeder::State {
     if (state_ != TrajectoryFeederState::Running || isHeld()) return false;
     const auto begins = layerBegin(layer);
     if (!begins || *begins < reactionTo(now_s)) return false;
-    const WayToRest before = wayToRest();
-    if (!brakeFrom(*begins)) return false;
-    if (restsOnBeadFrom(layer)) {
-      goBackTo(before);
-      return false;
-    }
+    // Of layers that it cannot stop at there may be thousands: the way there is not taken for each.
+    if (*begins >= timeline_.end() || restsOnBeadFrom(layer, stopFrom(*begins))) return false;
+    brakeFrom(*begins);
     held_layer_ = layer;
     reschedule();
     return true;
@@ -231,23 +231,29 @@ class TrajectoryFeeder::State {
     return {share, reached, std::move(plan)};
   }
 
-  void setSpeed(const SpeedChange& change, double now_s) {
-    if (change.share == std::exchange(speed_share_, change.share)) return;
+  bool setSpeed(const SpeedChange& change, double now_s, const std::function<double()>& clock) {
+    const auto former = std::make_tuple(speed_share_, speeds_, fastest_share_, fastest_);
+    if (change.share == std::exchange(speed_share_, change.share)) return true;
     speeds_ = change.plan ? change.plan : planned_;
     // A plan for greater feeds is nowhere slower than one for lesser ones.
     if (change.share > fastest_share_) {
       fastest_ = speeds_;
       fastest_share_ = change.share;
     }
-    if (state_ != TrajectoryFeederState::Running) return;
+    if (state_ != TrajectoryFeederState::Running) return true;
     const WayToRest before = wayToRest();
-    if (!goOnAtSpeed(now_s)) return;
+    if (!goOnAtSpeed(now_s)) return true;
     const std::optional<std::size_t> layer = std::exchange(held_layer_, std::nullopt);
     reschedule();
-    if (!layer || hold(*layer, now_s)) return;
+    const bool is_held_still = !layer || hold(*layer, now_s);
+    const bool is_in_time =
+        clock() <= now_s + kLeastReaction * settings_.reaction_s || (before.sent < 0 && now_s <= 0.0);
+    if (is_held_still && is_in_time) return true;
     goBackTo(before);
     held_layer_ = layer;
     reschedule();
+    if (!is_in_time) std::tie(speed_share_, speeds_, fastest_share_, fastest_) = former;
+    return is_in_time;
   }
 
   void setShare(OverrideKind kind, double share, double now_s) {
@@ -317,9 +323,23 @@ class TrajectoryFeeder::State {
     return place.curve->spanEnd(place.span).heading_for.layer;
   }
 
-  /// Whether it comes to rest where a layer, or one above it, is being deposited.
-  bool restsOnBeadFrom(std::size_t layer) const {
-    return layerOf(rest_) >= layer && rest_.along > 0.0 && rest_.curve->spanEnd(rest_.span).area_mm2 > 0.0;
+  /// Whether a rest is where a layer, or one above it, is being deposited.
+  bool restsOnBeadFrom(std::size_t layer, const MotionPlace& rest) const {
+    return layerOf(rest) >= layer && rest.along > 0.0 && rest.curve->spanEnd(rest.span).area_mm2 > 0.0;
+  }
+
+  /// Where braking from a time before the end would lead to.
+  MotionPlace stopFrom(double cut_s) const {
+    Timeline way = restAt(timeline_.placeAt(cut_s));
+    fastest_->appendStop(way, timeline_.placeAt(cut_s));
+    return way.placeAt(way.end());
+  }
+
+  /// A timeline of nothing but a rest, of one point.
+  Timeline restAt(const MotionPlace& place) const {
+    Timeline rest;
+    rest.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt}, timeOf(1));
+    return rest;
   }
 
   /// A way to rest that would end beyond where the layer begins is no shorter than the one that it is on.
@@ -377,9 +397,7 @@ class TrajectoryFeeder::State {
     if (cut_s > 0.0) {
       timeline_.cut(cut_s);
     } else {
-      timeline_ = Timeline();
-      timeline_.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt},
-                       1.0 / settings_.rate_hz);
+      timeline_ = restAt(place);
     }
     fastest_->appendStop(timeline_, place);
     rest_ = timeline_.placeAt(timeline_.end());
@@ -437,10 +455,14 @@ TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = def
 std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
 void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
 SpeedChange TrajectoryFeeder::speedChange(double share) const { return state_->speedChange(share); }
-void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) { state_->setSpeed(change, now_s); }
-void TrajectoryFeeder::setSpeed(double share, double now_s) {
-  state_->setSpeed(state_->speedChange(share), now_s);
+bool TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s,
+                                const std::function<double()>& clock) {
+  return state_->setSpeed(change, now_s, clock);
 }
+void TrajectoryFeeder::setSpeed(const SpeedChange& change, double now_s) {
+  state_->setSpeed(change, now_s, [now_s] { return now_s; });
+}
+void TrajectoryFeeder::setSpeed(double share, double now_s) { setSpeed(speedChange(share), now_s); }
 void TrajectoryFeeder::setShare(OverrideKind kind, double share, double now_s) {
   state_->setShare(kind, share, now_s);
 }

@@ -17,6 +17,7 @@ namespace lamina {
 namespace {
 
 constexpr double kTurn = 2.0 * M_PI;
+constexpr double kReplaced = 120.0;  // s: more than a controller has queued (feeder.ahead_s)
 
 /// Rotary values by whole turns as near as can be to others.
 JointValues turnedNear(JointValues values, const JointValues& near, const std::vector<DrivenJoint>& joints) {
@@ -43,7 +44,7 @@ void feed(ProcessSignals& process, double times) {
     if (followsSpeed(level)) process.levels[level] *= times;
 }
 
-/// The value at a time of the chunk before; 0 before the first.
+/// The value at a time of what was handed over; 0 before the first.
 double handedOver(const std::vector<std::pair<double, double>>& values, double time_s) {
   if (values.empty()) return 0.0;
   const auto after = std::lower_bound(values.begin(), values.end(), std::make_pair(time_s, -1e300));
@@ -52,6 +53,18 @@ double handedOver(const std::vector<std::pair<double, double>>& values, double t
   const auto before = after - 1;
   const double part = (time_s - before->first) / (after->first - before->first);
   return before->second + part * (after->second - before->second);
+}
+
+/// Later values take the place of those from their time on. What is long past is asked for no more.
+void handOver(std::vector<std::pair<double, double>>& values,
+              const std::vector<std::pair<double, double>>& later) {
+  const auto at = [&values](double time_s) {
+    return std::lower_bound(values.begin(), values.end(), std::make_pair(time_s, -1e300));
+  };
+  const double from_s = later.front().first;
+  values.erase(at(from_s), values.end());
+  values.erase(values.begin(), at(from_s - kReplaced));
+  values.insert(values.end(), later.begin(), later.end());
 }
 
 }  // namespace
@@ -280,8 +293,8 @@ TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
     point.position += shifts[i];
     if (span_s > 0.0) point.velocity += (shifts[after] - shifts[before]) / span_s;
   }
-  heights_ = std::move(heights);
-  amounts_ = std::move(amounts);
+  handOver(heights_, heights);
+  handOver(amounts_, amounts);
   return chunk;
 }
 

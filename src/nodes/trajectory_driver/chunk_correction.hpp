@@ -115,8 +115,8 @@ class ChunkCorrection {
   Eigen::Isometry3d part_from_bed_;
   std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
   std::map<std::size_t, CoastingMap> coasting_;     ///< by layer
-  std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
-  std::vector<std::pair<double, double>> amounts_;  ///< its times and amounts; on travels the last amount
+  std::vector<std::pair<double, double>> heights_;  ///< times and heights handed over, of late [s, mm]
+  std::vector<std::pair<double, double>> amounts_;  ///< the same of amounts; on travels the last amount
   std::optional<std::size_t> late_;                 ///< layer that goes over to a map that came late
   std::string refusal_;
   std::optional<std::size_t> handed_layer_;   ///< layer of the last deposition that was handed over

@@ -62,7 +62,12 @@ void ControllerClient::send(const TrajectoryChunk& chunk, const ros::Time& begin
       Client::SimpleActiveCallback(), [this](const auto& feedback) { onFeedback(feedback); });
 }
 
-void ControllerClient::cancel() { client_.cancelAllGoals(); }
+void ControllerClient::cancel() {
+  client_.cancelAllGoals();
+  // Goals go by a topic of their own: one that is overtaken by its cancel is refused by its time as it comes.
+  // Not in a simulation, whose reset would have the goals that follow refused too.
+  if (ros::Time::isSystemTime()) client_.cancelGoalsAtAndBeforeTime(ros::Time::now());
+}
 
 std::optional<std::string> ControllerClient::failure() const {
   const std::lock_guard<std::mutex> lock(mutex_);

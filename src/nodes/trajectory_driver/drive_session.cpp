@@ -7,16 +7,18 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace lamina {
 namespace {
 
-constexpr double kSetBack = 0.05;   // s by which a clock may be corrected
 constexpr double kSettling = 0.2;   // s for which joints must be still
 constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
 constexpr double kShortOf = 0.995;  // of a share, that is reported
+constexpr double kSame = 1e-6;      // mm or rad: joints that have not been moved
+constexpr double kLonger = 2.0;     // what took a time may take that much more of it
 constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
 
 /// With nothing of the process on, more than the planned speed harms no bead.
@@ -46,10 +48,12 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
   if (motion_.correction) wait_.emplace(feeder_, *motion_.correction, settings_.loop.wait_s);
 }
 
-bool DriveSession::step(const ros::Time& present) {
+bool DriveSession::step() {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
+  const DriveInstant present = links_.clock();
   const ros::Time now = followTime(present);
+  watchClock(present);
   begin(now);
   watch(now);
   awaitMap(now);
@@ -66,7 +70,8 @@ void DriveSession::begin(const ros::Time& now) {
 }
 
 /// The times of all points are those of a clock that only goes on; where it is set back by little it stands.
-ros::Time DriveSession::followTime(const ros::Time& now) {
+ros::Time DriveSession::followTime(const DriveInstant& present) {
+  const ros::Time now = present.ros;
   const ros::Time before = stepped_;
   if (now < before && (before - now).toSec() <= kSetBack) return before;
   stepped_ = now;
@@ -75,6 +80,20 @@ ros::Time DriveSession::followTime(const ros::Time& now) {
            {ErrorCode::DeviceError, "ROS time went back by " + numberText((before - now).toSec()) +
                                         " s; expected it to go on, for the controller follows points by it"});
   return now;
+}
+
+/// Once ROS time is set, each chunk's process is followed by the new time, but a controller in motion joins
+/// its points to those that it follows by the old one.
+void DriveSession::watchClock(const DriveInstant& present) {
+  if (given_up_at_ || !present.steady_s) return;
+  if (!first_step_) first_step_ = present;
+  const double passed_s = *present.steady_s - *first_step_->steady_s;
+  const double ahead_s = secondsBetween(first_step_->ros, present.ros) - passed_s;
+  if (std::abs(ahead_s) <= kSetBack) return;
+  giveUp(present.ros, {ErrorCode::DeviceError,
+                       "ROS time was set " + std::string(ahead_s > 0.0 ? "on" : "back") + " by " +
+                           numberText(std::abs(ahead_s)) + " s; expected at most " + numberText(kSetBack) +
+                           " s, for motion and process would no longer be in step"});
 }
 
 /// The controller's clock: by stamps that of its last report, which a slow host does not drive on [s].
@@ -114,6 +133,15 @@ void DriveSession::watch(const ros::Time& now) {
     brake(now, {ErrorCode::DeviceError, *deviation}, Lift::No);
 }
 
+/// Whether the controller has come to the end of what it has while the motion was to go on: the points that
+/// follow are past, and it would leap to the first one that is not. By stamps its clock waits for them.
+bool DriveSession::hasRunDry(const ros::Time& now) const {
+  const double now_s = jobTime(now);
+  if (isByStamps() || fed_s_ <= 0.0 || now_s <= fed_s_) return false;
+  const JointValues missed = feeder_.at(now_s).position - feeder_.at(fed_s_).position;
+  return missed.cwiseAbs().maxCoeff() > kSame;
+}
+
 void DriveSession::feed(const ros::Time& now) {
   if (given_up_at_) return;
   if (feeder_.state() == TrajectoryFeederState::Running && !feeder_.isHeld() && fed_s_ > 0.0) {
@@ -122,6 +150,11 @@ void DriveSession::feed(const ros::Time& now) {
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
   }
+  if (hasRunDry(now))
+    return giveUp(now, {ErrorCode::DeviceError,
+                        "the controller had nothing left to follow for " + numberText(jobTime(now) - fed_s_) +
+                            " s amid the motion; expected it to be fed at least " +
+                            numberText(feeding_.ahead_s) + " s ahead (feeder.ahead_s)"});
   while (std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
     if (motion_.correction) {
       chunk = motion_.correction->corrected(std::move(*chunk));
@@ -132,6 +165,7 @@ void DriveSession::feed(const ros::Time& now) {
     links_.process.send(*chunk, begin_, motion_.toolpath_id, motion_.process);
     links_.controller.send(*chunk, begin_);
     fed_s_ = chunk->points.back().time_s;
+    fed_to_ = chunk->points.back().position;
   }
 }
 
@@ -151,9 +185,9 @@ std::string DriveSession::offer(const lamina_msgs::ToolpathConstPtr& plan) {
   return wait_ ? wait_->offer(plan) : "the machine is on its way to the start";
 }
 
-lamina_msgs::ToolpathConstPtr DriveSession::plan(const ros::Time& now) const {
+lamina_msgs::ToolpathConstPtr DriveSession::plan() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return duePlan(now);
+  return duePlan(links_.clock().ros);
 }
 
 lamina_msgs::ToolpathConstPtr DriveSession::duePlan(const ros::Time& now) const {
@@ -167,9 +201,9 @@ void DriveSession::refuse(const std::string& plan_id, const std::string& reason)
   if (wait_) wait_->refuse(plan_id, reason);
 }
 
-bool DriveSession::leaveFor(const std::string& plan_id, const ros::Time& now) {
+bool DriveSession::leaveFor(const std::string& plan_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const lamina_msgs::ToolpathConstPtr due = duePlan(now);
+  const lamina_msgs::ToolpathConstPtr due = duePlan(links_.clock().ros);
   is_left_ = due && due->id == plan_id;
   return is_left_;
 }
@@ -280,8 +314,9 @@ void DriveSession::expectReports(const ros::Time& from) {
   reports_.restart(from);
 }
 
-std::optional<std::string> DriveSession::pause(const ros::Time& now) {
+std::optional<std::string> DriveSession::pause() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   begin(now);
   if (is_left_) return std::string("the machine goes over to the layers left as planned anew");
   if (status_.state != PackmlState::Execute)
@@ -294,10 +329,27 @@ std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   return std::nullopt;
 }
 
-std::optional<std::string> DriveSession::resume(const ros::Time& now) {
+/// Why a motion that is held cannot go on from where the joints are; empty if it can. Looked at unlocked, for
+/// reports are waited for.
+std::string DriveSession::displacement() const {
+  JointValues place;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (status_.state != PackmlState::Held) return {};
+    place = fed_to_;
+  }
+  if (place.size() == 0) return {};
+  const TrackingLimits& limits = settings_.tracking;
+  return links_.joints.refusalAt(place, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+}
+
+std::optional<std::string> DriveSession::resume() {
+  const std::string displaced = displacement();
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
+  if (!displaced.empty()) return displaced;
   if (wait_)
     wait_->resume(jobTime(now));
   else
@@ -324,7 +376,7 @@ bool DriveSession::setShare(OverrideKind kind, double share) {
   if (isDry()) throw InvalidInput(std::string("a dry run has no ") + nameOf(kind) + "; expected feed");
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
-  const ros::Time now = ros::Time::now();
+  const ros::Time now = links_.clock().ros;
   begin(now);
   feeder_.setShare(kind, share, jobTime(now));
   (kind == OverrideKind::Flow ? status_.flow_share : status_.power_share) = share;
@@ -345,25 +397,36 @@ bool DriveSession::setSpeed(double share) {
     ROS_WARN(
         "the limits of joints and path let the motion take %.4g of the planned speeds on average, not %.4g",
         change.reached, share);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (order != speed_orders_) return false;
-  if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
-  // Not before: the motion is cut a little after now, which must not have been sent as past by then.
-  const ros::Time now = ros::Time::now();
-  begin(now);
-  feeder_.setSpeed(change, jobTime(now));
-  status_.feed_share = share;
-  status_.reached_share = change.reached;
-  feed(now);
-  return true;
+  double later_s = 0.0;
+  for (;;) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (order != speed_orders_) return false;
+    if (is_left_ || given_up_at_ || isFinal(status_.state)) return true;
+    const ros::Time before = links_.clock().ros;
+    begin(before);
+    const auto clock = [this] { return jobTime(links_.clock().ros); };
+    const bool is_set = feeder_.setSpeed(change, jobTime(before) + later_s, clock);
+    // What is changed must not be past once it is sent; meanwhile the controller needs what it has.
+    const ros::Time now = links_.clock().ros;
+    if (is_set) {
+      status_.feed_share = share;
+      status_.reached_share = change.reached;
+    }
+    feed(now);
+    if (is_set) return true;
+    later_s = kLonger * (now - before).toSec();
+  }
 }
 
-void DriveSession::abort(const ros::Time& now, const Failure& why) {
+void DriveSession::abort(const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::Time now = links_.clock().ros;
   if (isFinal(status_.state) || status_.state == PackmlState::Aborting || is_left_) return;
   begin(now);
   if (isAtRest(now)) expectReports(now);
-  brake(now, why, settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
+  // What does not move yet does not begin to, and nothing was looked for on the way of a lift.
+  const bool has_moved = jobTime(now) > 0.0;
+  brake(now, why, has_moved && settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
 }
 
 void DriveSession::brake(const ros::Time& now, const Failure& why, Lift lift) {
@@ -391,10 +454,10 @@ void DriveSession::giveUp(const ros::Time& now, const Failure& why) {
   links_.controller.cancel();
 }
 
-void DriveSession::leave(const ros::Time& now, const Failure& why) {
+void DriveSession::leave(const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state) || is_left_) return;
-  giveUp(now, why);
+  giveUp(links_.clock().ros, why);
   status_.state = PackmlState::Aborted;
 }
 

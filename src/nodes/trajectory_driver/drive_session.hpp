@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,7 @@
 
 #include "chunk_correction.hpp"
 #include "controller_client.hpp"
+#include "drive_clock.hpp"
 #include "driver_settings.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/packml.hpp"
@@ -65,6 +67,8 @@ struct DriveLinks {
   ControllerClient& controller;
   ProcessPublisher& process;
   const PresentJoints& joints;
+  /// Read while the session is locked: an instant from before a wait for it would be past.
+  std::function<DriveInstant()> clock = presentInstant;
 };
 
 /// One motion that is run by a controller. Its calls may come from several threads.
@@ -75,8 +79,9 @@ class DriveSession {
                const DriveLinks& links);
 
   /// Hands over the chunks that are due. Returns false once the motion has ended and everything is at rest.
-  /// Gives the motion up if ROS time has gone back by more than 0.05 s since the last call.
-  bool step(const ros::Time& present);
+  /// Gives the motion up if ROS time has gone back by more than 0.05 s since the last call, or has been set
+  /// by more than that since the first one: process and motion would no longer go by the same time.
+  bool step();
   void hear(const ControllerReport& report, const ros::Time& now);
 
   /// Takes a map for chunks that are not handed over yet. In front of each layer except the first the motion
@@ -91,16 +96,19 @@ class DriveSession {
   /// @return why it is not used, in words; empty if it is
   std::string offer(const lamina_msgs::ToolpathConstPtr& plan);
   /// The offered plan, while the machine rests at its beginning, neither paused nor aborted; otherwise null.
-  lamina_msgs::ToolpathConstPtr plan(const ros::Time& now) const;
+  lamina_msgs::ToolpathConstPtr plan() const;
   /// States that the plan cannot be driven: it is not returned again.
   void refuse(const std::string& plan_id, const std::string& reason);
   /// Whether the motion changes to the plan now: the session is then over, can no longer be paused, and the
   /// caller drives the plan.
-  bool leaveFor(const std::string& plan_id, const ros::Time& now);
+  bool leaveFor(const std::string& plan_id);
 
   /// @return why not; nothing if it is done
-  std::optional<std::string> pause(const ros::Time& now);
-  std::optional<std::string> resume(const ros::Time& now);
+  std::optional<std::string> pause();
+  /// Refuses where the joints are not as they were handed over last: a controller that does not look where it
+  /// starts from would leap back through the part. Waits for their reports, no longer than
+  /// `controller_wait_s`.
+  std::optional<std::string> resume();
   /// Sets the share of the planned values at which the motion continues (`TrajectoryFeeder`); during the
   /// approach at most the planned speeds. The share takes effect once it is computed; of several orders of
   /// the feed the last one holds, even if an earlier one takes longer to compute.
@@ -115,10 +123,10 @@ class DriveSession {
   const TrajectoryFeederSettings& feeding() const { return feeding_; }
   /// Brakes along the path, and switches off the whole process at once. Does nothing if the motion has ended
   /// or is aborted.
-  void abort(const ros::Time& now, const Failure& why);
+  void abort(const Failure& why);
   /// Ends a motion that has not ended in Aborted, since the caller no longer follows it; the controller must
   /// stop by itself. Does nothing if the motion has changed to a plan.
-  void leave(const ros::Time& now, const Failure& why);
+  void leave(const Failure& why);
 
   DriveStatus status() const;
 
@@ -127,7 +135,8 @@ class DriveSession {
 
   bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
   void begin(const ros::Time& now);
-  ros::Time followTime(const ros::Time& now);
+  ros::Time followTime(const DriveInstant& present);
+  void watchClock(const DriveInstant& present);
   bool setSpeed(double share);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   double controllerTime(const ros::Time& now) const;
@@ -135,6 +144,8 @@ class DriveSession {
   bool isRun(const ros::Time& now) const;
   void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
+  std::string displacement() const;
+  bool hasRunDry(const ros::Time& now) const;
   void feed(const ros::Time& now);
   void follow(const ros::Time& now);
   void measureLaid(double time_s);
@@ -157,6 +168,7 @@ class DriveSession {
   ros::Time begin_;                  ///< when the clock of the points is 0; zero before the first are sent
   std::optional<ros::Time> run_at_;  ///< time at which the planned motion ended
   double fed_s_ = 0.0;               ///< end of the chunks that were sent
+  JointValues fed_to_;               ///< where they end; of size 0 before the first
   bool was_starved_ = false;
   double laid_mm3_ = 0.0;  ///< volume of the laid beads as planned
   /// When an abort has switched the process off: the way to rest lays nothing [s].
@@ -164,7 +176,8 @@ class DriveSession {
   std::optional<MapWait> wait_;  ///< nothing if the motion is driven as planned
   bool is_left_ = false;         ///< whether the session was left for a plan
   std::optional<ros::Time> given_up_at_;
-  ros::Time stepped_;  ///< the last step; zero before the first
+  ros::Time stepped_;                       ///< the last step; zero before the first
+  std::optional<DriveInstant> first_step_;  ///< that both clocks were read at
   DriveStatus status_;
   std::uint64_t speed_orders_ = 0;  ///< given so far
 

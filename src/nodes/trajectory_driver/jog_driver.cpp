@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conversions.hpp"
+#include "drive_clock.hpp"
 #include "jog_end.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
@@ -57,6 +58,7 @@ JogDriver::JogDriver(ros::NodeHandle& node, const DriverSettings& settings, cons
   joints_ = node.subscribe<sensor_msgs::JointState>(names::kJogJoints, 1, on_joints);
   const boost::function<void(const ros::TimerEvent&)> look = [this](const ros::TimerEvent&) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    dropIfTimeWentBack(ros::Time::now());
     if (!is_rest_reported_) tell(ros::Time::now());
   };
   timer_ = node.createTimer(ros::Duration(kTellPeriod), look);
@@ -77,6 +79,8 @@ void JogDriver::block(const std::function<bool()>& is_cancelled) {
 bool JogDriver::isOver(double waited_s, bool is_cancelled) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = ros::Time::now();
+  dropIfTimeWentBack(now);
+  if (!jog_) return true;
   const bool was_moved = jog_->restTime() > 0.0;
   const bool is_at_rest = !was_moved || (!isMoving(now) && links_.controller.isDone());
   try {
@@ -116,11 +120,12 @@ void JogDriver::give(const std::string& holder, const std::string& frame, const 
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time now = ros::Time::now();
   state_.frame = frame;
-  if (lease_.holder(now.toSec()).empty()) failure_.clear();
+  dropIfTimeWentBack(now);
+  if (lease_.holder(lease_clock_.now()).empty()) failure_.clear();
   try {
     std::string refusal = is_blocked_ ? "a job is under way; expected its end, or its abort, before a jog"
                                       : owner_.refusal(holder);
-    if (refusal.empty()) refusal = lease_.renew(holder, now.toSec());
+    if (refusal.empty()) refusal = lease_.renew(holder, lease_clock_.now());
     if (refusal.empty() && !failure_.empty())
       refusal = failure_ + "; the machine is jogged again once no order has come for jog.lease_s";
     if (!refusal.empty()) throw Rejected(refusal);
@@ -133,6 +138,18 @@ void JogDriver::give(const std::string& holder, const std::string& frame, const 
     state_.reason = error.what();
     ROS_WARN_THROTTLE(1.0, "%s is not jogged by %s: %s", frame.c_str(), holder.c_str(), error.what());
   }
+  tell(now);
+}
+
+/// The points of a jog are of a time that comes once more, and its controller may follow them then.
+void JogDriver::dropIfTimeWentBack(const ros::Time& now) {
+  const bool went_back = now + ros::Duration(kSetBack) < looked_at_;
+  looked_at_ = now;
+  if (!went_back || !jog_) return;
+  ROS_WARN("ROS time went back; what is left of a jog is dropped");
+  links_.controller.cancel();
+  jog_.reset();
+  lease_ = JogLease(settings_.jog.lease_s);
   tell(now);
 }
 
@@ -261,7 +278,7 @@ bool JogDriver::isMoving(const ros::Time& now) const {
 
 void JogDriver::tell(const ros::Time& now) {
   state_.header.stamp = now;
-  state_.holder = lease_.holder(now.toSec());
+  state_.holder = lease_.holder(lease_clock_.now());
   state_.moving = is_under_way_ = isMoving(now);
   is_rest_reported_ = !state_.moving && state_.holder.empty();
   publishLatched(publisher_, state_);

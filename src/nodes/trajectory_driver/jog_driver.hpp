@@ -16,6 +16,7 @@
 
 #include "controller_client.hpp"
 #include "driver_settings.hpp"
+#include "lamina/base/clock.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/trajectory/jog.hpp"
 #include "messages.hpp"
@@ -63,6 +64,7 @@ class JogDriver {
   void onJoints(const Event<sensor_msgs::JointState>& event);
   void give(const std::string& holder, const std::string& frame, const MakeOrder& make);
   JogAnswer follow(const std::string& holder, const MakeOrder& make);
+  void dropIfTimeWentBack(const ros::Time& now);
   void beginIfAtRest(const ros::Time& now);
   JogOrder orderOf(const geometry_msgs::TwistStamped& message, const JointValues& position) const;
   JogOrder orderOf(const sensor_msgs::JointState& message) const;
@@ -78,11 +80,13 @@ class JogDriver {
   JogLinks links_;
   ros::Publisher publisher_;
 
-  std::mutex mutex_;  ///< of what follows up to the subscribers
+  std::mutex mutex_;         ///< of what follows up to the subscribers
+  SteadyClock lease_clock_;  ///< ROS time may be set back
   JogLease lease_;
   std::optional<Jog> jog_;
   std::optional<LinkBodies> bodies_;  ///< made before the first jog begins
   ros::Time begin_;                   ///< when the clock of the jog is 0
+  ros::Time looked_at_;               ///< when it was looked whether ROS time goes on
   std::string failure_;               ///< of the last jog, while its holder's lease goes on
   bool is_blocked_ = false;
   bool is_rest_reported_ = true;  ///< that the machine is at rest

@@ -17,6 +17,36 @@ namespace {
 
 constexpr double kJointLookPeriod = 0.02;  // s of wall time: that of ROS may stand still
 constexpr double kStill = 1e-3;            // mm or rad: what encoders of a joint at rest may report
+constexpr double kStillFor = 0.2;          // s
+constexpr double kOffLinear = 1.0;         // mm by which a joint at rest may be off what it was sent to
+constexpr double kOffRotary = 0.01;        // rad, the same
+
+/// The joint, or the tip, that is farther from a place than a controller at rest leaves it, in words; empty
+/// if none is. Whole turns of a rotary joint make no difference.
+std::string offPlace(const JointValues& here, const JointValues& place, const KinematicModel& model,
+                     double most_tip_mm) {
+  const std::vector<DrivenJoint>& joints = model.joints();
+  const double tip_mm =
+      (model.bedFromNozzle(here).translation() - model.bedFromNozzle(place).translation()).norm();
+  std::size_t worst = 0;
+  double worst_share = 0.0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const bool is_linear = joints[j].kind == JointKind::Linear;
+    const auto i = static_cast<Eigen::Index>(j);
+    const double off = here[i] - place[i];
+    const double share =
+        is_linear ? std::abs(off) / kOffLinear : std::abs(std::remainder(off, 2.0 * M_PI)) / kOffRotary;
+    if (share <= worst_share) continue;
+    worst = j;
+    worst_share = share;
+  }
+  if (worst_share <= 1.0 && (most_tip_mm <= 0.0 || tip_mm <= most_tip_mm)) return {};
+  const char* const unit = joints[worst].kind == JointKind::Linear ? " mm" : " rad";
+  const auto i = static_cast<Eigen::Index>(worst);
+  return "joint '" + joints[worst].name + "' is at " + numberText(here[i]) + unit + ", and the nozzle " +
+         numberText(tip_mm) + " mm off; expected the joint at " + numberText(place[i]) + unit +
+         ", where the motion goes on";
+}
 
 }  // namespace
 
@@ -73,6 +103,23 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
       throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
                      "' in " + numberText(wait_s) + " s; expected all driven joints of " + model_.name() +
                      ", to know where it stands");
+    ros::WallDuration(kJointLookPeriod).sleep();
+  }
+}
+
+std::string PresentJoints::refusalAt(const JointValues& place, double most_tip_mm, double age_s,
+                                     double wait_s) const {
+  const ros::Time begin = ros::Time::now();
+  for (;;) {
+    std::string refusal;
+    try {
+      refusal = offPlace(fresh(age_s, wait_s), place, model_, most_tip_mm);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    if (refusal.empty() || areStillFor(kStillFor) || (ros::Time::now() - begin).toSec() >= wait_s ||
+        isStopRequested() || !ros::ok())
+      return refusal;
     ros::WallDuration(kJointLookPeriod).sleep();
   }
 }

@@ -23,6 +23,12 @@ class PresentJoints {
   /// @param age_s  greatest age of a joint's last report
   /// @throws TimedOut naming the joint that is not reported; Cancelled if the node is asked to stop
   JointValues fresh(double age_s, double wait_s) const;
+  /// Why the machine does not stand at a place from which a motion is to begin, with the joint that is off,
+  /// or what is not known; empty if it stands there. Reports may be late: waits until it stands there or is
+  /// still.
+  /// @param most_tip_mm  greatest distance of the tip; 0 for no limit
+  /// @param age_s, wait_s  as of `fresh`
+  std::string refusalAt(const JointValues& place, double most_tip_mm, double age_s, double wait_s) const;
   /// Whether no joint has moved for `time_s`, by reports that still arrive; the state of a joint that is no
   /// longer reported is unknown. True if no joint was ever reported.
   bool areStillFor(double time_s) const;

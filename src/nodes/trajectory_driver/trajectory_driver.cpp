@@ -304,7 +304,7 @@ std::optional<TrajectoryDriver::HeardMap> TrajectoryDriver::lastMap() const {
 /// the operator.
 std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(DriveSession& session,
                                                                            std::optional<PlanInWork>& work) {
-  const lamina_msgs::ToolpathConstPtr plan = session.plan(ros::Time::now());
+  const lamina_msgs::ToolpathConstPtr plan = session.plan();
   if (!plan) return std::nullopt;
   if (work && work->id != plan->id) work->result->giveUp();
   if (work && !work->result->isDone()) return std::nullopt;
@@ -317,12 +317,12 @@ std::optional<TrajectoryDriver::PreparedJob> TrajectoryDriver::plannedAnew(Drive
   const PlanInWork done = *std::exchange(work, std::nullopt);
   try {
     PreparedJob job = done.result->take();
-    if (session.leaveFor(plan->id, ros::Time::now())) return job;
+    if (session.leaveFor(plan->id)) return job;
   } catch (...) {
     const Failure failure = currentFailure();
     ROS_ERROR("plan %s cannot be driven, the job is held: %s", plan->id.c_str(), failure.message.c_str());
     session.refuse(plan->id, failure.message);
-    session.pause(ros::Time::now());
+    session.pause();
   }
   return std::nullopt;
 }
@@ -372,7 +372,17 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
   return fromMessage(*message);
 }
 
+/// Time has passed since the way there was looked for, or since it was gone.
+void TrajectoryDriver::requireAtStart(const DriveMotion& motion) const {
+  const JointValues start = TrajectoryFeeder(motion.path, settings_.feeder, motion.from_mm).at(0.0).position;
+  const TrackingLimits& limits = settings_.tracking;
+  const std::string refusal =
+      joints_.refusalAt(start, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+  if (!refusal.empty()) throw DeviceError("the motion is not begun: " + refusal);
+}
+
 TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
+  requireAtStart(motion);
   const auto session =
       std::make_shared<DriveSession>(motion, *model_, settings_, DriveLinks{controller_, process_, joints_});
   {
@@ -393,7 +403,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     session_.reset();
   });
   ros::Time shown;
-  for (abortIfCancelled(*session); session->step(ros::Time::now());) {
+  for (abortIfCancelled(*session); session->step();) {
     abortIfCancelled(*session);
     holdIfProcessFails(*session);
     holdWithoutOwner(*session);
@@ -408,7 +418,7 @@ TrajectoryDriver::Driven TrajectoryDriver::run(const DriveMotion& motion) {
     }
     if (!awaitStep()) break;
   }
-  session->leave(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+  session->leave({ErrorCode::Cancelled, "the node was ended"});
   tell(session->takeLayers());
   return {session->status(), std::nullopt};
 }
@@ -433,11 +443,9 @@ bool TrajectoryDriver::awaitStep() const {
 }
 
 void TrajectoryDriver::abortIfCancelled(DriveSession& session) const {
-  if (is_abort_requested_) session.abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
-  if (action_.isPreemptRequested())
-    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
-  if (isStopRequested() || !ros::ok())
-    session.abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+  if (is_abort_requested_) session.abort({ErrorCode::Cancelled, "aborted on request"});
+  if (action_.isPreemptRequested()) session.abort({ErrorCode::Cancelled, "the goal was cancelled"});
+  if (isStopRequested() || !ros::ok()) session.abort({ErrorCode::Cancelled, "the node was ended"});
 }
 
 void TrajectoryDriver::awaitProcessIo() const {
@@ -458,7 +466,7 @@ void TrajectoryDriver::holdIfProcessFails(DriveSession& session) const {
   const ros::Time now = ros::Time::now();
   if (isDry() || session.status().state != PackmlState::Execute) return;
   const std::string fault = process_io_.fault(now);
-  if (fault.empty() || session.pause(now)) return;
+  if (fault.empty() || session.pause()) return;
   ROS_ERROR_STREAM("the job is held: " << fault);
 }
 
@@ -473,7 +481,7 @@ void TrajectoryDriver::holdWithoutOwner(DriveSession& session) {
   }
   is_hold_due_ = is_hold_due_ && owner_watch_.isLost();
   if (is_hold_due_ && session.status().state == PackmlState::Execute)
-    is_hold_due_ = session.pause(ros::Time::now()).has_value();
+    is_hold_due_ = session.pause().has_value();
 }
 
 /// That came before there was a session to correct.
@@ -557,7 +565,7 @@ Eigen::Matrix3d TrajectoryDriver::bedFromPart() const {
 bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
   const std::optional<std::string> refusal =
-      job ? job->pause(ros::Time::now()) : std::optional<std::string>("no toolpath is being driven");
+      job ? job->pause() : std::optional<std::string>("no toolpath is being driven");
   response.success = !refusal;
   response.message = refusal.value_or("holding");
   return true;
@@ -567,7 +575,7 @@ bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) 
   const auto job = session();
   const std::string fault = job && job->isDry() ? "" : process_io_.fault(ros::Time::now());
   std::optional<std::string> refusal = "no toolpath is being driven";
-  if (job) refusal = fault.empty() ? job->resume(ros::Time::now()) : fault;
+  if (job) refusal = fault.empty() ? job->resume() : fault;
   response.success = !refusal;
   response.message = refusal.value_or("going on");
   return true;
@@ -579,7 +587,7 @@ bool TrajectoryDriver::onAbort(Trigger::Request&, Trigger::Response& response) {
   if (!is_driving_) return true;
   // What runs next, if nothing does just now, sees it before it moves.
   is_abort_requested_ = true;
-  if (const auto job = session()) job->abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
+  if (const auto job = session()) job->abort({ErrorCode::Cancelled, "aborted on request"});
   return true;
 }
 

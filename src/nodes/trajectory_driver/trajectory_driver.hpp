@@ -86,6 +86,7 @@ class TrajectoryDriver {
   MachineToolpath toolpath(const lamina_msgs::DriveToolpathGoal& goal);
   MachineToolpath toolpath(const std::string& id);
   Driven run(const DriveMotion& motion);
+  void requireAtStart(const DriveMotion& motion) const;
   std::shared_ptr<ChunkCorrection> correctionOf(const DriveJob& job) const;
   std::optional<PreparedJob> plannedAnew(DriveSession& session, std::optional<PlanInWork>& work);
   bool awaitStep() const;

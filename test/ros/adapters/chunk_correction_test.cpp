@@ -268,6 +268,20 @@ TEST_F(CorrectedChunks, GoOverToAMapThatComesLate) {
           << point.time_s;
 }
 
+/// 0.3 mm at 5 mm/s from 0.2 s on take until 0.26 s; a brake replaces what is queued from 0.252 s on.
+TEST_F(CorrectedChunks, JoinWhatIsQueuedWhereTheyReplaceIt) {
+  correction.corrected(chunkOf(0.0, 0.2, *model));
+  EXPECT_EQ(correction.hear(risingMap(0.3), "digest"), "");
+  const TrajectoryChunk rising = correction.corrected(chunkOf(0.2, 0.4, *model));
+  correction.corrected(chunkOf(0.4, 0.6, *model));
+  const TrajectoryChunk brake = correction.corrected(chunkOf(0.252, 0.452, *model));
+  EXPECT_NEAR(tipZ(brake.points.front(), *model), 1.76, 1e-6);
+  EXPECT_NEAR(tipZ(brake.points.front(), *model), tipZ(rising.points[13], *model), 1e-9);
+  EXPECT_NEAR(amountOf(brake.points.front()), amountOf(rising.points[13]), 1e-9);
+  for (const JointState& point : correction.corrected(chunkOf(0.452, 0.6, *model)).points)
+    EXPECT_NEAR(tipZ(point, *model), 1.8, 1e-6);
+}
+
 /// A quarter more at the end of the first layer; of the second a coasting map of 0.1, by which it goes on
 /// when it was waited for in vain, and after half a second its own of 0.2.
 TEST(ChunkCorrection, TakesTheCoastingMapOfALayerThatIsWaitedForInVain) {

@@ -110,10 +110,11 @@ class ProcessCell {
   bool becomesReady() {
     return waitUntil([&] { return ready.ready && plan.getNumSubscribers() > 0; });
   }
-  /// Laser, wire, gas and fan on for a time from now on, the laser in steps: 100 W, 101 W, ...
+  /// Laser, wire, gas and fan on for a time from now on, from off, the laser in steps: 100 W, 101 W, ...
   ros::Time run(int steps, double step_s) const {
     lamina_msgs::ProcessTrajectory message;
     message.header.stamp = ros::Time::now() + ros::Duration(0.3);
+    message.points.emplace_back();
     for (int i = 0; i < steps; ++i) {
       lamina_msgs::ProcessPoint point;
       point.time_from_start = ros::Duration(step_s * i);
