@@ -71,6 +71,12 @@ class StartupSession::Impl {
   void driveAll(Lock& lock);
   void look(Lock& lock);
   void giveUpAll(Lock& lock);
+  /// Since when nothing was answered, and how many answers came before.
+  struct Patience {
+    double since_s = 0.0;
+    std::uint64_t answers = 0;
+  };
+  bool hasPatience(Patience& patience);
   std::string leaveSafe(Lock& lock);
   void stream(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
   void streamStep(Lock& lock, const std::string& code, const MayGoOn& mayGoOn);
@@ -98,6 +104,7 @@ class StartupSession::Impl {
     bool was_dry = false;  ///< when it began
   };
   std::optional<WatchedJob> job_;
+  std::uint64_t answers_ = 0;  ///< oks of the machine
   bool is_ending_ = false;
   std::thread thread_;
   /// Lines of the job that were sent. Of the job's thread alone: while it waits for a disk, what the machine
@@ -297,6 +304,7 @@ void StartupSession::Impl::lookBeforeJob(Lock& lock, const MayGoOn& mayGoOn) {
 
 void StartupSession::Impl::heard(const FirmwareReply& reply) {
   const Lock lock(mutex_);
+  if (reply.kind == ReplyKind::Ok) ++answers_;
   startup_.onReply(reply, now());
   if (saysThatAllIsOff(reply)) may_be_on_ = false;
   if (job_) job_->watch.onReply(reply, now());
@@ -352,10 +360,10 @@ void StartupSession::Impl::endJob(const StreamableProgram& program, const Stream
   Lock lock(mutex_);
   job_.reset();
   port_user_ = PortUser::Nobody;
+  wake_.notify_all();
   noteSent(program, status);
   const ErrorCode code = status.failure.code;
   if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.forgetMachine(status.failure.message);
-  wake_.notify_all();
   notify(lock);
 }
 
@@ -479,18 +487,26 @@ void StartupSession::Impl::giveUpAll(Lock& lock) {
   for (const StartupStep step : allStartupSteps()) startup_.giveUp(step, "aborted on request" + remark);
 }
 
+/// A machine that waits for a person or for heat reports that it is busy, for ever: it is waited for as long
+/// as somebody may end that wait, but once the node ends only while it takes lines.
+bool StartupSession::Impl::hasPatience(Patience& patience) {
+  const Lock lock(mutex_);
+  if (!is_ending_ || answers_ != patience.answers) patience = {clock_.now(), answers_};
+  return clock_.now() - patience.since_s < stream_.safe_stop_timeout_s;
+}
+
 /// @return what must be reported if it was not possible; empty if it was
 std::string StartupSession::Impl::leaveSafe(Lock& lock) {
   if (settings_.abort_code.empty()) return {};
-  // A machine that waits for a person or for heat reports for ever that it is busy.
-  const double until_s = clock_.now() + stream_.safe_stop_timeout_s;
   std::string why;
   try {
-    stream(lock, settings_.abort_code, [this, until_s] { return clock_.now() < until_s; });
+    stream(lock, settings_.abort_code,
+           [this, patience = Patience{clock_.now(), answers_}]() mutable { return hasPatience(patience); });
     may_be_on_ = false;
     return {};
   } catch (const Cancelled&) {
-    why = "it has not run startup.abort_code within " + shortNumber(stream_.safe_stop_timeout_s) + " s";
+    why = "it has not run startup.abort_code, nor a line of it within " +
+          shortNumber(stream_.safe_stop_timeout_s) + " s";
   } catch (const Error& error) {
     why = error.what();
   }
@@ -543,7 +559,7 @@ void StartupSession::Impl::noteSent(const StreamableProgram& program, const Stre
       if (!command) break;
       startup_.onCommandSent(command->command);
     }
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     startup_.forgetMachine(error.what());  // what was sent is not known
   }
   if (code != ErrorCode::Cancelled) return;

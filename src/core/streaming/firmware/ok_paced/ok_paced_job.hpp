@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -90,12 +92,17 @@ class OkPacedJob final : public StreamJob {
   void onOpeningOk(double now);
   void onAnswer(const SyncAnswer& answer, double now);
   void onRefusal(const FirmwareReply& reply, double now);
-  /// A heater that the firmware has switched off ends a begun job, whether lines are under way or not.
+  /// A heater that RepRapFirmware has switched off ("Heater 1 fault: ...") ends a begun job, whether lines
+  /// are under way or not.
   /// @return whether the reply reports one
   bool failsByHeater(const FirmwareReply& reply, double now) {
-    const std::size_t heater = lowerCase(reply.text).find("heater");
+    const std::string text = lowerCase(reply.text);
+    const std::size_t heater = text.find("heater ");
+    int number = 0;
+    std::array<char, 6> what{};
     if (!has_begun_ || isStopping() || heater == std::string::npos) return false;
-    if (lowerCase(reply.text).find("fault", heater) == std::string::npos) return false;
+    if (std::sscanf(text.c_str() + heater, "heater %d %5s", &number, what.data()) != 2) return false;
+    if (std::string(what.data()) != "fault") return false;
     fail(ErrorCode::DeviceError, "the machine reports \"" + reply.text + "\"", now);
     return true;
   }
