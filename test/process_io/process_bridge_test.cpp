@@ -146,12 +146,14 @@ TEST(ProcessBridge, BeginsNoBeadInItsMiddleWhenItIsStartedAnew) {
   CycleView view;
   view.devices.assign(2, {true, ""});
   view.measured = {kNaN, kNaN, kNaN};
+  std::uint16_t reported = 0;
   auto until = [&, cycles = 0](double time_s) mutable {
     BridgeCycle last;
     std::vector<double> greatest = kSafe;
     for (; cycles * kCycle < time_s; ++cycles) {
       bridge.updatePositions({{"x", cycles * kCycle}}, cycles * kCycle);
       last = bridge.cycle(cycles * kCycle, view);
+      for (const ProcessAlarm& alarm : last.alarms) reported = alarm.id;
       for (std::size_t i = 0; i < greatest.size(); ++i) greatest[i] = std::max(greatest[i], last.values[i]);
     }
     return std::make_pair(greatest, last.fault);
@@ -162,6 +164,7 @@ TEST(ProcessBridge, BeginsNoBeadInItsMiddleWhenItIsStartedAnew) {
   const auto [in_bead, fault] = until(2.9);
   EXPECT_EQ(in_bead, kSafe);
   EXPECT_NE(fault.find("in the middle of a bead"), std::string::npos) << fault;
+  EXPECT_EQ(reported, 5104);
   bridge.accept({{{3.0, {}}, {3.7, {}}, {3.701, laying()}, {5.0, laying()}}, 5.0}, 2.9);
   EXPECT_EQ(until(3.65).second, "");
   EXPECT_EQ(until(4.0).first, kLaying) << "the next bead from its start";

@@ -58,11 +58,14 @@ void ProcessBridge::accept(const ProcessChunk& chunk, double now_s) {
   const double known_s = plan_.validUntil();
   plan_.accept(chunk);
   const PlannedProcess& first = chunk.points.front();
-  // From rest nothing flows: what flows at once was begun where nobody heard of it. By less than what is too
-  // late the chunks of one motion may be apart, since each is timed by itself.
-  if (first.signals.flow_mm3_s > 0.0 && first.time_s > known_s + settings_.too_late_s) {
+  // From rest nothing flows: what flows at once was begun where nobody heard of it. The chunks of one motion
+  // may be apart by what a busy host adds, since each is timed by itself.
+  if (first.signals.flow_mm3_s > 0.0 && first.time_s > known_s + kRest) {
     mid_bead_s_ = first.time_s;
-    trip("the plan of the process begins in the middle of a bead; expected it off at first");
+    const std::string text =
+        "the plan of the process begins in the middle of a bead; expected it off at first";
+    events_.push_back({5104, "process_io", 0.0, text, false});
+    trip(text);
   }
   const double sent_until_s = now_s + longest_lead_s_;
   if (chunk.points.front().time_s < std::min(known_s, sent_until_s) - ProcessPlan::kMeet) ++overtaken_;

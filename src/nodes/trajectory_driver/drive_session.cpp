@@ -14,12 +14,13 @@
 namespace lamina {
 namespace {
 
-constexpr double kSettling = 0.2;   // s for which joints must be still
-constexpr double kCoarser = 10.0;   // tolerance on the tip on the way to the start, that is run fast
-constexpr double kShortOf = 0.995;  // of a share, that is reported
-constexpr double kSame = 1e-6;      // mm or rad: joints that have not been moved
-constexpr double kLonger = 2.0;     // what took a time may take that much more of it
-constexpr double kPatience = 5.0;   // s that a controller may need to stop by itself
+constexpr double kSettling = 0.2;    // s for which joints must be still
+constexpr double kCoarser = 10.0;    // tolerance on the tip on the way to the start, that is run fast
+constexpr double kShortOf = 0.995;   // of a share, that is reported
+constexpr double kSame = 1e-6;       // mm or rad: joints that have not been moved
+constexpr double kLonger = 2.0;      // what took a time may take that much more of it
+constexpr double kPatience = 5.0;    // s that a controller may need to stop by itself
+constexpr double kResumeLook = 0.5;  // s for which a service waits for joints
 
 /// With nothing of the process on, more than the planned speed harms no bead.
 TrajectoryFeederSettings feedingOf(const DriveMotion& motion, const DriverSettings& settings) {
@@ -86,7 +87,8 @@ ros::Time DriveSession::followTime(const DriveInstant& present) {
 /// its points to those that it follows by the old one.
 void DriveSession::watchClock(const DriveInstant& present) {
   if (given_up_at_ || !present.steady_s) return;
-  if (!first_step_) first_step_ = present;
+  // A machine that is held has no points whose time could change.
+  if (!first_step_ || status_.state == PackmlState::Held) first_step_ = present;
   const double passed_s = *present.steady_s - *first_step_->steady_s;
   const double ahead_s = secondsBetween(first_step_->ros, present.ros) - passed_s;
   if (std::abs(ahead_s) <= kSetBack) return;
@@ -340,7 +342,11 @@ std::string DriveSession::displacement() const {
   }
   if (place.size() == 0) return {};
   const TrackingLimits& limits = settings_.tracking;
-  return links_.joints.refusalAt(place, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+  try {
+    return links_.joints.refusalAt(place, limits.tip_mm, limits.silence_s, {kResumeLook});
+  } catch (const Error& error) {
+    return error.what();
+  }
 }
 
 std::optional<std::string> DriveSession::resume() {

@@ -101,25 +101,24 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
     if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
     if ((now - begin).toSec() >= wait_s)
       throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
-                     "' in " + numberText(wait_s) + " s; expected all driven joints of " + model_.name() +
-                     ", to know where it stands");
+                     "' that is newer than " + numberText(age_s) + " s; expected all driven joints of " +
+                     model_.name() + ", to know where it stands");
     ros::WallDuration(kJointLookPeriod).sleep();
   }
 }
 
 std::string PresentJoints::refusalAt(const JointValues& place, double most_tip_mm, double age_s,
-                                     double wait_s) const {
-  const ros::Time begin = ros::Time::now();
+                                     const JointWait& wait) const {
+  const ros::WallTime begin = ros::WallTime::now();
   for (;;) {
-    std::string refusal;
+    const bool is_last = (ros::WallTime::now() - begin).toSec() >= wait.longest_s;
     try {
-      refusal = offPlace(fresh(age_s, wait_s), place, model_, most_tip_mm);
-    } catch (const Error& error) {
-      return error.what();
+      std::string refusal = offPlace(fresh(age_s, 0.0), place, model_, most_tip_mm);
+      if (refusal.empty() || is_last || areStillFor(kStillFor)) return refusal;
+    } catch (const TimedOut&) {
+      if (is_last) throw;
     }
-    if (refusal.empty() || areStillFor(kStillFor) || (ros::Time::now() - begin).toSec() >= wait_s ||
-        isStopRequested() || !ros::ok())
-      return refusal;
+    if (wait.is_cancelled()) throw Cancelled("cancelled before the joints were known");
     ros::WallDuration(kJointLookPeriod).sleep();
   }
 }

@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -12,6 +13,12 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
+
+/// For how long joints are waited for [s], and whether that has been cancelled.
+struct JointWait {
+  double longest_s = 0.0;
+  std::function<bool()> is_cancelled = [] { return false; };
+};
 
 /// Positions of the driven joints of a kinematic model, from `joint_states`. Joints may be spread over
 /// several messages.
@@ -27,8 +34,10 @@ class PresentJoints {
   /// or what is not known; empty if it stands there. Reports may be late: waits until it stands there or is
   /// still.
   /// @param most_tip_mm  greatest distance of the tip; 0 for no limit
-  /// @param age_s, wait_s  as of `fresh`
-  std::string refusalAt(const JointValues& place, double most_tip_mm, double age_s, double wait_s) const;
+  /// @param wait  by the clock of the wall, which a simulation that stands still does not stop
+  /// @throws as `fresh`; Cancelled if the look is cancelled
+  std::string refusalAt(const JointValues& place, double most_tip_mm, double age_s,
+                        const JointWait& wait) const;
   /// Whether no joint has moved for `time_s`, by reports that still arrive; the state of a joint that is no
   /// longer reported is unknown. True if no joint was ever reported.
   bool areStillFor(double time_s) const;

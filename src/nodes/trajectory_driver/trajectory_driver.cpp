@@ -377,7 +377,8 @@ void TrajectoryDriver::requireAtStart(const DriveMotion& motion) const {
   const JointValues start = TrajectoryFeeder(motion.path, settings_.feeder, motion.from_mm).at(0.0).position;
   const TrackingLimits& limits = settings_.tracking;
   const std::string refusal =
-      joints_.refusalAt(start, limits.tip_mm, limits.silence_s, settings_.controller_wait_s);
+      joints_.refusalAt(start, limits.tip_mm, limits.silence_s,
+                        {settings_.controller_wait_s, [this] { return isCancelled(); }});
   if (!refusal.empty()) throw DeviceError("the motion is not begun: " + refusal);
 }
 

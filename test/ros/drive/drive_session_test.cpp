@@ -95,7 +95,7 @@ class SessionRun {
           state.position[j] * (model_->joints()[j].kind == JointKind::Linear ? 1e3 : 1.0);
     ASSERT_TRUE(waitUntil([&] {
       told_.publish(state);
-      return joints_.refusalAt(values, 0.0, 60.0, 0.0).empty();
+      return joints_.refusalAt(values, 0.0, 60.0, {}).empty();
     }));
   }
   Failure failure() const { return session.status().failure; }
@@ -237,6 +237,19 @@ TEST(DriveSession, ResumesOnlyWhereTheMachineStandsWhereItWasHeld) {
   run.session.leave({ErrorCode::Cancelled, "for good"});
   ASSERT_TRUE(run.isCancelled());
   EXPECT_GT(run.goals.size(), before);
+}
+
+TEST(DriveSession, IsHeldThoughRosTimeIsSetOn) {
+  SessionRun run;
+  run.session.step();
+  run.run(1.5);
+  ASSERT_FALSE(run.session.pause());
+  run.run(1.0);
+  ASSERT_EQ(run.session.status().state, PackmlState::Held);
+  run.setRosTimeOn(60.0);
+  run.run(0.1);
+  EXPECT_EQ(run.session.status().state, PackmlState::Held) << run.failure().message;
+  EXPECT_EQ(run.failure().code, ErrorCode::Ok);
 }
 
 TEST(DriveSession, AnAbortBeforeTheFirstMotionMovesNothing) {
