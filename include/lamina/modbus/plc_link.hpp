@@ -44,7 +44,8 @@ enum class UnitPresence : std::uint8_t { Lost, Present };
 /// is answered StaleSequence, and other orders are dropped; only a Stop, Hold or Abort that is written alone
 /// is carried out. Only one connection may write: the first one that does, until it is closed or the watchdog
 /// is lost. All others are answered ServerBusy, unless they write a Stop, Hold or Abort alone: this is
-/// carried out, without changing the registers or the connection that may write.
+/// carried out, without changing the registers or the connection that may write. The same sequence is a new
+/// Stop, Hold or Abort there once the connection has written another one or 0, also if that was refused.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -95,6 +96,7 @@ class PlcLink {
  private:
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
   void takeStop(int connection, const ModbusRequest& request);
+  void forgetStop(int connection, const ModbusRequest& request);
   void findOrders(int connection, const ModbusRequest& request, const HoldingRegisters& before);
   void order(const PlcOrder& order);
 
