@@ -291,6 +291,53 @@ TEST(PlcWatch, KnowsAPlcThatFellSilentFromOneThatNeverCalled) {
   EXPECT_FALSE(late.interlocks(1.0).is_silent);
 }
 
+/// Of a PLC that calls while remote access is locked.
+PlcReport lockedReport() {
+  PlcReport report = goodReport();
+  report.heartbeat = PlcHeartbeat::Unarmed;
+  report.interlocks.is_alive = false;
+  report.interlocks.is_beating = true;
+  return report;
+}
+
+TEST(PlcWatch, HearsWhatAPlcForbidsWhileRemoteAccessIsLocked) {
+  PlcReport report = lockedReport();
+  report.interlocks.is_zone_taken = true;
+  PlcWatch watch({});
+  watch.hear(report, 0.0);
+  const std::vector<UnmetGuard> unmet = againstPlc(watch.interlocks(0.0), PlcNeed::None);
+  ASSERT_EQ(unmet.size(), 1U);
+  EXPECT_EQ(unmet.front().code, 1204);
+  EXPECT_NE(whyZoneIsTaken(watch.interlocks(0.0), PlcNeed::None), "") << "nor is it moved by hand";
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.1).raised), (std::vector<int>{1204}));
+  report.interlocks.is_zone_taken = false;
+  report.interlocks.is_emergency_stop_pressed = true;
+  report.is_guard_closed = false;
+  watch.hear(report, 0.5);
+  const PlcDemands pressed = watch.demands(statusIn(UnitState::Execute), 0.5);
+  EXPECT_EQ(idsOf(pressed.raised), (std::vector<int>{1207, 1208}));
+  EXPECT_EQ(pressed.ended, (std::vector<int>{1204}));
+  report.interlocks.is_beating = false;
+  watch.hear(report, 1.0);
+  EXPECT_TRUE(againstPlc(watch.interlocks(1.0), PlcNeed::None).empty()) << "it was not armed: no silence";
+}
+
+TEST(PlcWatch, NeedsAnArmedWatchdogWhereThePlcIsRequired) {
+  PlcWatch watch({});
+  watch.hear(lockedReport(), 0.0);
+  EXPECT_TRUE(againstPlc(watch.interlocks(0.0), PlcNeed::None).empty());
+  const std::vector<UnmetGuard> unmet = againstPlc(watch.interlocks(0.0), PlcNeed::Required);
+  ASSERT_EQ(unmet.size(), 1U);
+  EXPECT_EQ(unmet.front().code, 2101);
+  EXPECT_NE(whyZoneIsTaken(watch.interlocks(0.0), PlcNeed::Required), "");
+  EXPECT_TRUE(againstPlc(watch.interlocks(2.1), PlcNeed::None).empty());
+  PlcReport taken = lockedReport();
+  taken.interlocks.is_zone_taken = true;
+  watch.hear(taken, 3.0);
+  EXPECT_EQ(againstPlc(watch.interlocks(5.0), PlcNeed::None).size(), 1U);
+  EXPECT_TRUE(againstPlc(watch.interlocks(5.1), PlcNeed::None).empty()) << "of a link that says nothing";
+}
+
 TEST(PlcWatch, LeavesAPartUnderWayToTheActionOnSilence) {
   PlcWatch ignores({});
   ignores.hear(goodReport(), 0.0);

@@ -376,6 +376,21 @@ TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   EXPECT_EQ(link.watch(404.1), PlcHeartbeat::Abandoned);
 }
 
+TEST(PlcLink, HearsAHeartbeatWhetherOrNotItIsArmed) {
+  PlcLink link{PlcLinkSettings{}};
+  EXPECT_FALSE(link.isBeating(0.0));
+  clearOrders(link);
+  EXPECT_FALSE(link.isBeating(0.0)) << "it has written, but not its heartbeat";
+  link.answer(1, writing(0, {1}), 10.0);
+  EXPECT_TRUE(link.isBeating(12.0));
+  EXPECT_FALSE(link.isBeating(12.1));
+  EXPECT_FALSE(link.isAlive()) << "remote access is locked";
+  link.answer(1, writing(0, {1}), 13.0);
+  EXPECT_FALSE(link.isBeating(13.0)) << "the same heartbeat is none";
+  link.answer(1, writing(0, {2}), 14.0);
+  EXPECT_TRUE(link.isBeating(14.0));
+}
+
 TEST(PlcLink, StandsStillWhileTheUnitIsLost) {
   PlcLink link = openLink();
   EXPECT_EQ(link.registers(10.0)[1], 20);

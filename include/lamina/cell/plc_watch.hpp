@@ -24,7 +24,8 @@ enum class PlcHeartbeat : std::uint8_t {
 /// What is done when the heartbeat of the PLC is lost.
 enum class WatchdogAction : std::uint8_t { None, Hold, Stop };
 
-/// What the link to the PLC reports. `interlocks.is_alive` is true while the heartbeat is good.
+/// What the link to the PLC reports. `interlocks.is_alive` is true while the heartbeat is good;
+/// `interlocks.is_beating` is also true of one that comes while its watchdog is not armed.
 struct PlcReport {
   PlcInterlocks interlocks;
   PlcHeartbeat heartbeat = PlcHeartbeat::Unarmed;
@@ -74,8 +75,8 @@ class PlcWatch {
   /// States that remote access was locked. A silent PLC then raises no alarm unless it is required.
   void disarm() { is_armed_ = false; }
 
-  /// The interlocks for the guards. The PLC is not alive if the link has been silent for more than two
-  /// seconds. A PLC that is not alive counts as silent if its heartbeat was good since `disarm` or the link
+  /// The interlocks for the guards. The PLC is neither alive nor beating if the link has been silent for more
+  /// than two seconds. Such a PLC counts as silent if its heartbeat was good since `disarm` or the link
   /// reports it lost.
   PlcInterlocks interlocks(double now_s) const;
 

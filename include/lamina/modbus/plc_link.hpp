@@ -81,6 +81,9 @@ class PlcLink {
   /// Whether the watchdog is armed and good.
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
+  /// Whether the heartbeat comes: it has changed within `watchdog_s`, whether or not the watchdog is armed.
+  bool isBeating(double now_s) const { return has_beaten_ && now_s - heard_s_ <= settings_.watchdog_s; }
+
   /// Number of changes in the PLC's reports on its surroundings: interlocks, plate, speed, badge.
   std::uint32_t news() const { return news_; }
 
@@ -111,6 +114,7 @@ class PlcLink {
   std::optional<int> writer_;
   std::map<int, std::uint16_t> stops_;  ///< last sequences of connections that stopped without writing
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
+  bool has_beaten_ = false;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
   std::uint32_t news_ = 0;

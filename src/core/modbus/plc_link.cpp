@@ -86,6 +86,7 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   const HoldingRegisters before = std::exchange(holding_, after);
   if (holding_[kHeartbeatRegister] != before[kHeartbeatRegister]) {
     figures_.plc_heartbeat = holding_[kHeartbeatRegister];
+    has_beaten_ = true;
     heard_s_ = now_s;
     if (watchdog_ == PlcHeartbeat::Unarmed && access_ == RemoteAccess::Allowed)
       watchdog_ = PlcHeartbeat::Good;
