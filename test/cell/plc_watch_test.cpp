@@ -159,6 +159,37 @@ TEST(PlcWatch, StopsOrDoesNothingIfAskedTo) {
   EXPECT_FALSE(ignores.interlocks(1.0).is_alive) << "its interlocks count as not given";
 }
 
+TEST(PlcWatch, ActsOnASilenceThatACellHearsOfFirstAfterItsRestart) {
+  PlcWatch stops({});
+  stops.hear(lostReport(WatchdogAction::Stop), 0.0);
+  EXPECT_EQ(idsOf(stops.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{2101}));
+  EXPECT_EQ(stops.demands(statusIn(UnitState::Holding), 0.1).command, UnitCommand::Stop);
+  PlcReport abandoned = lostReport(WatchdogAction::Stop);
+  abandoned.heartbeat = PlcHeartbeat::Abandoned;
+  PlcWatch late({});
+  late.hear(abandoned, 0.0);
+  late.demands(statusIn(UnitState::Execute), 0.0);
+  EXPECT_EQ(late.demands(statusIn(UnitState::Holding), 0.1).command, UnitCommand::Stop);
+  abandoned.on_silence = WatchdogAction::Hold;
+  PlcWatch holds({});
+  holds.hear(abandoned, 0.0);
+  EXPECT_EQ(idsOf(holds.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{2101}));
+  EXPECT_FALSE(holds.demands(statusIn(UnitState::Holding), 0.1).command) << "it is held first";
+  EXPECT_EQ(holds.demands(statusIn(UnitState::Held), 0.2).command, UnitCommand::Stop);
+  EXPECT_FALSE(holds.demands(statusIn(UnitState::Held), 0.3).command) << "ordered once";
+  PlcWatch rests({});
+  rests.hear(abandoned, 0.0);
+  rests.demands(statusIn(UnitState::Idle), 0.0);
+  EXPECT_FALSE(rests.demands(statusIn(UnitState::Idle), 0.1).command);
+  EXPECT_FALSE(rests.demands(statusIn(UnitState::Held), 0.2).command) << "of a later job";
+  PlcWatch again({});
+  again.hear(abandoned, 0.0);
+  again.demands(statusIn(UnitState::Execute), 0.0);
+  again.hear(goodReport(), 0.1);
+  again.demands(statusIn(UnitState::Holding), 0.1);
+  EXPECT_FALSE(again.demands(statusIn(UnitState::Held), 0.2).command) << "its heartbeat has come back";
+}
+
 TEST(PlcWatch, WaitsForALinkThatIsRequiredWithPatience) {
   PlcWatchSettings settings;
   settings.is_required = true;

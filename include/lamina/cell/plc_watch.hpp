@@ -64,7 +64,8 @@ struct PlcDemands {
 /// Judges the reports of the PLC. It acts on changes, not on bits that stay set: a part counts as removed
 /// when its bit is set while the heartbeat is not lost and the plate register was written before; an alarm
 /// ends when its cause does. A link or PLC that was good and is now silent raises an alarm, even if it is not
-/// required, until `disarm` is called.
+/// required, until `disarm` is called. A heartbeat that the first report says is lost, or abandoned, counts
+/// as lost just then.
 class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
@@ -85,6 +86,7 @@ class PlcWatch {
   PlcDemands demands(const UnitStatus& unit, double now_s);
 
  private:
+  void hearSilence(const PlcReport& report, PlcHeartbeat before);
   std::vector<PlcAlarm> causes(const UnitStatus& unit, double now_s);
   std::optional<std::string> silence(const UnitStatus& unit, double now_s);
   std::optional<UnitCommand> ordered(const UnitStatus& unit);
@@ -97,7 +99,8 @@ class PlcWatch {
   std::set<int> raised_;
   bool is_removal_new_ = false;
   bool is_guard_opened_ = false;
-  bool is_stop_due_ = false;
+  bool is_stop_due_ = false;       ///< by `WatchdogAction::Stop`
+  bool is_abandoned_ = false;      ///< and the unit has not yet been stopped for that
   std::uint32_t unsuspended_ = 0;  ///< state change for which Unsuspend was last ordered
 };
 

@@ -52,17 +52,22 @@ void PlcWatch::hear(const PlcReport& report, double now_s) {
   const auto before = std::exchange(report_, report);
   heard_s_ = now_s;
   if (report.heartbeat == PlcHeartbeat::Good) is_armed_ = true;
+  hearSilence(report, before ? before->heartbeat : PlcHeartbeat::Unarmed);
   if (!before) return;
   const bool is_trusted = !isLost(report.heartbeat) && report.is_plate_written && before->is_plate_written;
   is_removal_new_ = is_removal_new_ || (is_trusted && report.is_part_removed && !before->is_part_removed);
   is_guard_opened_ =
       is_guard_opened_ || (comes(report.interlocks) && !report.is_guard_closed && before->is_guard_closed);
-  const auto is_new = [&](PlcHeartbeat heartbeat) {
-    return report.heartbeat == heartbeat && before->heartbeat != heartbeat;
-  };
-  const bool stops = report.on_silence == WatchdogAction::Stop && is_new(PlcHeartbeat::Lost);
-  const bool abandons = report.on_silence != WatchdogAction::None && is_new(PlcHeartbeat::Abandoned);
-  is_stop_due_ = is_stop_due_ || stops || abandons;
+}
+
+/// What the first report says is new: nobody tells whether a cell that died had acted on it.
+void PlcWatch::hearSilence(const PlcReport& report, PlcHeartbeat before) {
+  if (report.on_silence == WatchdogAction::Stop && isLost(report.heartbeat) && !isLost(before))
+    is_stop_due_ = true;
+  if (report.heartbeat != PlcHeartbeat::Abandoned)
+    is_abandoned_ = false;
+  else if (report.on_silence != WatchdogAction::None && before != PlcHeartbeat::Abandoned)
+    is_abandoned_ = true;
 }
 
 PlcInterlocks PlcWatch::interlocks(double now_s) const {
@@ -141,9 +146,11 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
 }
 
 std::optional<UnitCommand> PlcWatch::ordered(const UnitStatus& unit) {
-  if (std::exchange(is_stop_due_, false)) {
-    const bool is_abandoned = report_->heartbeat == PlcHeartbeat::Abandoned;
-    if (is_abandoned ? isWaiting(unit.state) : !restsBetweenJobs(unit.state)) return UnitCommand::Stop;
+  if (std::exchange(is_stop_due_, false) && !restsBetweenJobs(unit.state)) return UnitCommand::Stop;
+  // A unit that runs when this is heard first is held before it is stopped.
+  if (is_abandoned_ && (isWaiting(unit.state) || restsBetweenJobs(unit.state))) {
+    is_abandoned_ = false;
+    if (isWaiting(unit.state)) return UnitCommand::Stop;
   }
   const bool is_ours =
       unit.state == UnitState::Suspended && unit.stop_reason && isSuspension(unit.stop_reason->id);
