@@ -159,6 +159,37 @@ TEST(PlcWatch, StopsOrDoesNothingIfAskedTo) {
   EXPECT_FALSE(ignores.interlocks(1.0).is_alive) << "its interlocks count as not given";
 }
 
+TEST(PlcWatch, ActsOnASilenceThatACellHearsOfFirstAfterItsRestart) {
+  PlcWatch stops({});
+  stops.hear(lostReport(WatchdogAction::Stop), 0.0);
+  EXPECT_EQ(idsOf(stops.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{2101}));
+  EXPECT_EQ(stops.demands(statusIn(UnitState::Holding), 0.1).command, UnitCommand::Stop);
+  PlcReport abandoned = lostReport(WatchdogAction::Stop);
+  abandoned.heartbeat = PlcHeartbeat::Abandoned;
+  PlcWatch late({});
+  late.hear(abandoned, 0.0);
+  late.demands(statusIn(UnitState::Execute), 0.0);
+  EXPECT_EQ(late.demands(statusIn(UnitState::Holding), 0.1).command, UnitCommand::Stop);
+  abandoned.on_silence = WatchdogAction::Hold;
+  PlcWatch holds({});
+  holds.hear(abandoned, 0.0);
+  EXPECT_EQ(idsOf(holds.demands(statusIn(UnitState::Execute), 0.0).raised), (std::vector<int>{2101}));
+  EXPECT_FALSE(holds.demands(statusIn(UnitState::Holding), 0.1).command) << "it is held first";
+  EXPECT_EQ(holds.demands(statusIn(UnitState::Held), 0.2).command, UnitCommand::Stop);
+  EXPECT_FALSE(holds.demands(statusIn(UnitState::Held), 0.3).command) << "ordered once";
+  PlcWatch rests({});
+  rests.hear(abandoned, 0.0);
+  rests.demands(statusIn(UnitState::Idle), 0.0);
+  EXPECT_FALSE(rests.demands(statusIn(UnitState::Idle), 0.1).command);
+  EXPECT_FALSE(rests.demands(statusIn(UnitState::Held), 0.2).command) << "of a later job";
+  PlcWatch again({});
+  again.hear(abandoned, 0.0);
+  again.demands(statusIn(UnitState::Execute), 0.0);
+  again.hear(goodReport(), 0.1);
+  again.demands(statusIn(UnitState::Holding), 0.1);
+  EXPECT_FALSE(again.demands(statusIn(UnitState::Held), 0.2).command) << "its heartbeat has come back";
+}
+
 TEST(PlcWatch, WaitsForALinkThatIsRequiredWithPatience) {
   PlcWatchSettings settings;
   settings.is_required = true;
@@ -289,6 +320,53 @@ TEST(PlcWatch, KnowsAPlcThatFellSilentFromOneThatNeverCalled) {
   EXPECT_TRUE(late.interlocks(0.0).is_silent);
   late.hear(goodReport(), 1.0);
   EXPECT_FALSE(late.interlocks(1.0).is_silent);
+}
+
+/// Of a PLC that calls while remote access is locked.
+PlcReport lockedReport() {
+  PlcReport report = goodReport();
+  report.heartbeat = PlcHeartbeat::Unarmed;
+  report.interlocks.is_alive = false;
+  report.interlocks.is_beating = true;
+  return report;
+}
+
+TEST(PlcWatch, HearsWhatAPlcForbidsWhileRemoteAccessIsLocked) {
+  PlcReport report = lockedReport();
+  report.interlocks.is_zone_taken = true;
+  PlcWatch watch({});
+  watch.hear(report, 0.0);
+  const std::vector<UnmetGuard> unmet = againstPlc(watch.interlocks(0.0), PlcNeed::None);
+  ASSERT_EQ(unmet.size(), 1U);
+  EXPECT_EQ(unmet.front().code, 1204);
+  EXPECT_NE(whyZoneIsTaken(watch.interlocks(0.0), PlcNeed::None), "") << "nor is it moved by hand";
+  EXPECT_EQ(idsOf(watch.demands(statusIn(UnitState::Execute), 0.1).raised), (std::vector<int>{1204}));
+  report.interlocks.is_zone_taken = false;
+  report.interlocks.is_emergency_stop_pressed = true;
+  report.is_guard_closed = false;
+  watch.hear(report, 0.5);
+  const PlcDemands pressed = watch.demands(statusIn(UnitState::Execute), 0.5);
+  EXPECT_EQ(idsOf(pressed.raised), (std::vector<int>{1207, 1208}));
+  EXPECT_EQ(pressed.ended, (std::vector<int>{1204}));
+  report.interlocks.is_beating = false;
+  watch.hear(report, 1.0);
+  EXPECT_TRUE(againstPlc(watch.interlocks(1.0), PlcNeed::None).empty()) << "it was not armed: no silence";
+}
+
+TEST(PlcWatch, NeedsAnArmedWatchdogWhereThePlcIsRequired) {
+  PlcWatch watch({});
+  watch.hear(lockedReport(), 0.0);
+  EXPECT_TRUE(againstPlc(watch.interlocks(0.0), PlcNeed::None).empty());
+  const std::vector<UnmetGuard> unmet = againstPlc(watch.interlocks(0.0), PlcNeed::Required);
+  ASSERT_EQ(unmet.size(), 1U);
+  EXPECT_EQ(unmet.front().code, 2101);
+  EXPECT_NE(whyZoneIsTaken(watch.interlocks(0.0), PlcNeed::Required), "");
+  EXPECT_TRUE(againstPlc(watch.interlocks(2.1), PlcNeed::None).empty());
+  PlcReport taken = lockedReport();
+  taken.interlocks.is_zone_taken = true;
+  watch.hear(taken, 3.0);
+  EXPECT_EQ(againstPlc(watch.interlocks(5.0), PlcNeed::None).size(), 1U);
+  EXPECT_TRUE(againstPlc(watch.interlocks(5.1), PlcNeed::None).empty()) << "of a link that says nothing";
 }
 
 TEST(PlcWatch, LeavesAPartUnderWayToTheActionOnSilence) {

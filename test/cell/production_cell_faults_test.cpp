@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -75,6 +76,25 @@ TEST(ProductionCell, StaysInCompletingUntilTheEndIsWritten) {
   EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
   EXPECT_EQ(cell.run().status().counters.parts, 1U);
   EXPECT_FALSE(cell.run().resumeWaits());
+}
+
+TEST(ProductionCell, WritesTheRecordOfAPartOnceItsFolderCanBeSearchedAgain) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  const std::string artefacts = cell.folder() + "/artefacts";
+  std::filesystem::rename(artefacts, artefacts + "_away");
+  std::filesystem::create_symlink(artefacts, artefacts);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_TRUE(cell.hasAlarm(7003));
+  for (int i = 0; i < 300; ++i) cell.step();  // 15 s, beyond the next write of the counters
+  EXPECT_TRUE(cell.hasAlarm(7003));
+  ExecutionLog log(cell.journal());
+  EXPECT_FALSE(log.part(log.ofJob(job)->id));
+  std::filesystem::remove(artefacts);
+  std::filesystem::rename(artefacts + "_away", artefacts);
+  for (int i = 0; i < 40; ++i) cell.step();
+  ASSERT_TRUE(log.part(log.ofJob(job)->id));
+  EXPECT_EQ(log.part(log.ofJob(job)->id)->verdict, "good");
 }
 
 TEST(ProductionCell, DiscardsNoJobWhoseEndCannotBeWritten) {

@@ -402,6 +402,44 @@ TEST(ProductionCell, StaysHeldByAPersonWhateverTheExecutorDoes) {
   EXPECT_FALSE(cell.reaches(UnitState::Execute));
 }
 
+/// Lets the executor go on by itself. @return whether the unit pauses it and stays as it is
+bool isPausedAgain(Cell& cell) {
+  const UnitState before = cell.state();
+  for (int i = 0; i < 20; ++i) cell.step();  // 1 s
+  cell.executor.orders.clear();
+  cell.executor.report.phase = ExecutorPhase::Running;
+  for (int i = 0; i < 20; ++i) cell.step();
+  return cell.executor.orders == std::vector<std::string>{"pause"} &&
+         cell.executor.report.phase == ExecutorPhase::Paused && cell.state() == before;
+}
+
+TEST(ProductionCell, PausesAnExecutorThatGoesOnByItselfWhereTheUnitMayNot) {
+  Cell cell;
+  const std::int64_t job = bringToExecute(cell);
+  cell.executor.report.phase = ExecutorPhase::Paused;
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.run().raise(1208, 0.0, "the PLC reports the guard open", cell.now);
+  EXPECT_TRUE(isPausedAgain(cell)) << "under an alarm";
+  cell.run().acknowledge(1208, "anna", cell.now);
+  EXPECT_TRUE(isPausedAgain(cell)) << "it is no longer the executor that holds it";
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.executor.report.phase = ExecutorPhase::Paused;
+  ASSERT_TRUE(cell.reaches(UnitState::Held));
+  cell.step();  // it hears that it is to be paused, which it is
+  cell.kill();
+  cell.start();
+  EXPECT_TRUE(isPausedAgain(cell)) << "nobody knows any more who has held it";
+  EXPECT_EQ(cell.command(UnitCommand::Unhold), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Execute));
+  cell.command(UnitCommand::Suspend);
+  ASSERT_TRUE(cell.reaches(UnitState::Suspended));
+  EXPECT_TRUE(isPausedAgain(cell));
+  EXPECT_EQ(cell.command(UnitCommand::Unsuspend), CommandResult::Accepted);
+  ASSERT_TRUE(cell.reaches(UnitState::Complete));
+  EXPECT_EQ(cell.journal().job(job).state, JobState::Ended);
+}
+
 TEST(ProductionCell, CompletesAJobThatWasDoneWhileItWasDead) {
   Cell cell;
   const std::int64_t job = bringToExecute(cell);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/scratch_folder.hpp"
 
 namespace lamina {
@@ -45,6 +46,33 @@ TEST(ArtefactStore, SaysWhichFileIsNewAndKeepsItAgainAfterItWasRemoved) {
   EXPECT_FALSE(std::filesystem::exists(store.pathOf(first.artefact)));
   EXPECT_TRUE(store.keepFile(path, "program", "a.gcode").is_new);
   EXPECT_EQ(store.torn({first.artefact}), Names{});
+}
+
+// As a folder whose disk or host fails, or that may not be searched, which root may always.
+TEST(ArtefactStore, SaysWhatFailsWhereItsFolderCannotBeSearched) {
+  const ScratchFolder folder;
+  const std::string place = folder.path() + "/store";
+  ArtefactStore store(place);
+  const std::string path = folder.path() + "/a.gcode";
+  std::ofstream(path) << "G1 X1\n";
+  std::filesystem::remove(place);
+  std::filesystem::create_symlink(place, place);
+  const std::string why = "Too many levels of symbolic links";
+  const auto refusalOf = [](const auto& call) {
+    try {
+      call();
+      return std::string("none");
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string of_text = refusalOf([&] { store.keepText("G1 X1\n", "program", "a.gcode"); });
+  EXPECT_NE(of_text.find(place + '/'), std::string::npos) << of_text;
+  EXPECT_NE(of_text.find(why), std::string::npos) << of_text;
+  const std::string of_file = refusalOf([&] { store.keepFile(path, "program", "a.gcode"); });
+  EXPECT_NE(of_file.find(why), std::string::npos) << of_file;
+  const std::string anew = refusalOf([&] { const ArtefactStore another(place); });
+  EXPECT_NE(anew.find(place + ": cannot be made"), std::string::npos) << anew;
 }
 
 }  // namespace

@@ -318,6 +318,38 @@ TEST(PlcLink, TakesAStopOnceThatAPlcRepeatsAsTheOneThatWrites) {
   EXPECT_EQ(link.takeOrders().size(), 1U) << "Reset, which is another command";
 }
 
+TEST(PlcLink, TakesAStopAgainOnceThePlcHasLetItGo) {
+  PlcLink link = startedLink();
+  link.answer(1, writing(1, {3, 1}), 0.0);
+  EXPECT_EQ(link.takeOrders().size(), 1U) << "before anybody writes";
+  for (int press = 0; press < 2; ++press) {
+    EXPECT_EQ(exceptionOf(link.answer(1, writing(1, {0, 0}), 0.0)), 0);
+    EXPECT_TRUE(link.takeOrders().empty());
+    link.answer(1, writing(1, {3, 1}), 0.0);
+    EXPECT_EQ(link.takeOrders().size(), 1U) << "as the one that writes, by the same sequence, " << press;
+    link.answer(1, writing(1, {3, 1}), 0.0);
+    EXPECT_TRUE(link.takeOrders().empty()) << "held down, " << press;
+  }
+}
+
+TEST(PlcLink, TakesAStopAgainOnceAPanelHasLetItGo) {
+  PlcLink link = openLink();
+  const auto isTaken = [&](std::uint16_t command, std::uint16_t sequence) {
+    link.answer(2, writing(1, {command, sequence}), 0.0);
+    return link.takeOrders().size() == 1;
+  };
+  EXPECT_TRUE(isTaken(3, 1));
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {0, 0}), 0.0)), 6) << "the PLC writes, not the panel";
+  EXPECT_TRUE(isTaken(3, 1));
+  EXPECT_FALSE(isTaken(3, 1)) << "held down";
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(2, {0}), 0.0)), 6) << "the sequence alone";
+  EXPECT_TRUE(isTaken(3, 1));
+  EXPECT_EQ(exceptionOf(link.answer(2, writing(1, {0}), 0.0)), 6) << "the command alone lets nothing go";
+  EXPECT_FALSE(isTaken(3, 1));
+  EXPECT_FALSE(isTaken(1, 2)) << "Reset, refused";
+  EXPECT_TRUE(isTaken(3, 1));
+}
+
 TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   PlcLink link{PlcLinkSettings{}};
   clearOrders(link);
@@ -342,6 +374,21 @@ TEST(PlcLink, WatchesTheHeartbeatOnceItHasComeWithAccess) {
   EXPECT_EQ(link.watch(106.1), PlcHeartbeat::Lost);
   EXPECT_EQ(link.watch(404.0), PlcHeartbeat::Lost);
   EXPECT_EQ(link.watch(404.1), PlcHeartbeat::Abandoned);
+}
+
+TEST(PlcLink, HearsAHeartbeatWhetherOrNotItIsArmed) {
+  PlcLink link{PlcLinkSettings{}};
+  EXPECT_FALSE(link.isBeating(0.0));
+  clearOrders(link);
+  EXPECT_FALSE(link.isBeating(0.0)) << "it has written, but not its heartbeat";
+  link.answer(1, writing(0, {1}), 10.0);
+  EXPECT_TRUE(link.isBeating(12.0));
+  EXPECT_FALSE(link.isBeating(12.1));
+  EXPECT_FALSE(link.isAlive()) << "remote access is locked";
+  link.answer(1, writing(0, {1}), 13.0);
+  EXPECT_FALSE(link.isBeating(13.0)) << "the same heartbeat is none";
+  link.answer(1, writing(0, {2}), 14.0);
+  EXPECT_TRUE(link.isBeating(14.0));
 }
 
 TEST(PlcLink, StandsStillWhileTheUnitIsLost) {

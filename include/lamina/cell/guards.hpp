@@ -14,7 +14,7 @@ namespace lamina {
 
 /// State of the unit's surroundings as the PLC reports it in its registers.
 struct PlcInterlocks {
-  bool is_alive = false;  ///< whether its heartbeat came in time
+  bool is_alive = false;  ///< whether its watchdog is armed, and its heartbeat came in time
   bool has_material = false;
   bool has_gas = false;
   bool has_cooling = false;
@@ -24,14 +24,19 @@ struct PlcInterlocks {
   bool is_zone_taken = false;  ///< whether another robot is in the zone
   bool is_blocked = false;     ///< whether parts cannot be taken away
   bool is_emergency_stop_pressed = false;
-  bool is_silent = false;  ///< whether it was heard before, and is not alive
+  bool is_silent = false;  ///< whether it was heard before, and its heartbeat does not come
+  /// Whether its heartbeat came in time, armed or not: it is not armed while remote access is locked.
+  bool is_beating = false;
 };
 
 /// Whether a unit runs only together with a PLC.
 enum class PlcNeed : std::uint8_t { None, Required };
 
+/// Whether the word of a PLC counts: its heartbeat comes. Where it is required its watchdog has to be armed.
+bool isHeard(const PlcInterlocks& plc, PlcNeed need);
+
 /// Unmet guards of the PLC's interlocks, in the order of their codes. Prohibitions (occupied zone, parts that
-/// cannot be taken away, emergency stop) count while the heartbeat comes. A missing build plate, clamp or
+/// cannot be taken away, emergency stop) count while the PLC is heard. A missing build plate, clamp or
 /// supply counts only with `PlcNeed::Required`. Without a heartbeat, `Required` gives the missing heartbeat
 /// only. `None` then gives only the zone, which counts as taken if the PLC was heard before.
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need);

@@ -24,7 +24,8 @@ enum class PlcHeartbeat : std::uint8_t {
 /// What is done when the heartbeat of the PLC is lost.
 enum class WatchdogAction : std::uint8_t { None, Hold, Stop };
 
-/// What the link to the PLC reports. `interlocks.is_alive` is true while the heartbeat is good.
+/// What the link to the PLC reports. `interlocks.is_alive` is true while the heartbeat is good;
+/// `interlocks.is_beating` is also true of one that comes while its watchdog is not armed.
 struct PlcReport {
   PlcInterlocks interlocks;
   PlcHeartbeat heartbeat = PlcHeartbeat::Unarmed;
@@ -63,7 +64,8 @@ struct PlcDemands {
 /// Judges the reports of the PLC. It acts on changes, not on bits that stay set: a part counts as removed
 /// when its bit is set while the heartbeat is not lost and the plate register was written before; an alarm
 /// ends when its cause does. A link or PLC that was good and is now silent raises an alarm, even if it is not
-/// required, until `disarm` is called.
+/// required, until `disarm` is called. A heartbeat that the first report says is lost, or abandoned, counts
+/// as lost just then.
 class PlcWatch {
  public:
   explicit PlcWatch(const PlcWatchSettings& settings) : settings_(settings) {}
@@ -74,8 +76,8 @@ class PlcWatch {
   /// States that remote access was locked. A silent PLC then raises no alarm unless it is required.
   void disarm() { is_armed_ = false; }
 
-  /// The interlocks for the guards. The PLC is not alive if the link has been silent for more than two
-  /// seconds. A PLC that is not alive counts as silent if its heartbeat was good since `disarm` or the link
+  /// The interlocks for the guards. The PLC is neither alive nor beating if the link has been silent for more
+  /// than two seconds. Such a PLC counts as silent if its heartbeat was good since `disarm` or the link
   /// reports it lost.
   PlcInterlocks interlocks(double now_s) const;
 
@@ -84,6 +86,7 @@ class PlcWatch {
   PlcDemands demands(const UnitStatus& unit, double now_s);
 
  private:
+  void hearSilence(const PlcReport& report, PlcHeartbeat before);
   std::vector<PlcAlarm> causes(const UnitStatus& unit, double now_s);
   std::optional<std::string> silence(const UnitStatus& unit, double now_s);
   std::optional<UnitCommand> ordered(const UnitStatus& unit);
@@ -96,7 +99,8 @@ class PlcWatch {
   std::set<int> raised_;
   bool is_removal_new_ = false;
   bool is_guard_opened_ = false;
-  bool is_stop_due_ = false;
+  bool is_stop_due_ = false;       ///< by `WatchdogAction::Stop`
+  bool is_abandoned_ = false;      ///< and the unit has not yet been stopped for that
   std::uint32_t unsuspended_ = 0;  ///< state change for which Unsuspend was last ordered
 };
 

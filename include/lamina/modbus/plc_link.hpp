@@ -44,7 +44,8 @@ enum class UnitPresence : std::uint8_t { Lost, Present };
 /// is answered StaleSequence, and other orders are dropped; only a Stop, Hold or Abort that is written alone
 /// is carried out. Only one connection may write: the first one that does, until it is closed or the watchdog
 /// is lost. All others are answered ServerBusy, unless they write a Stop, Hold or Abort alone: this is
-/// carried out, without changing the registers or the connection that may write.
+/// carried out, without changing the registers or the connection that may write. The same sequence is a new
+/// Stop, Hold or Abort there once the connection has written another one or 0, also if that was refused.
 class PlcLink {
  public:
   explicit PlcLink(const PlcLinkSettings& settings) : settings_(settings) {}
@@ -80,6 +81,9 @@ class PlcLink {
   /// Whether the watchdog is armed and good.
   bool isAlive() const { return watchdog_ == PlcHeartbeat::Good; }
 
+  /// Whether the heartbeat comes: it has changed within `watchdog_s`, whether or not the watchdog is armed.
+  bool isBeating(double now_s) const { return has_beaten_ && now_s - heard_s_ <= settings_.watchdog_s; }
+
   /// Number of changes in the PLC's reports on its surroundings: interlocks, plate, speed, badge.
   std::uint32_t news() const { return news_; }
 
@@ -95,6 +99,7 @@ class PlcLink {
  private:
   std::optional<ModbusException> write(int connection, const ModbusRequest& request, double now_s);
   void takeStop(int connection, const ModbusRequest& request);
+  void forgetStop(int connection, const ModbusRequest& request);
   void findOrders(int connection, const ModbusRequest& request, const HoldingRegisters& before);
   void order(const PlcOrder& order);
 
@@ -109,6 +114,7 @@ class PlcLink {
   std::optional<int> writer_;
   std::map<int, std::uint16_t> stops_;  ///< last sequences of connections that stopped without writing
   PlcHeartbeat watchdog_ = PlcHeartbeat::Unarmed;
+  bool has_beaten_ = false;
   double heard_s_ = 0.0;
   bool was_refused_ = false;
   std::uint32_t news_ = 0;

@@ -53,13 +53,17 @@ std::string roomLeft(std::optional<double> free_bytes) {
 
 }  // namespace
 
+bool isHeard(const PlcInterlocks& plc, PlcNeed need) {
+  return plc.is_alive || (plc.is_beating && need == PlcNeed::None);
+}
+
 std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need) {
   const bool is_required = need == PlcNeed::Required;
   if (!plc.is_alive && is_required)
     return {{2101, "the PLC's heartbeat does not come; its interlocks count as not given"}};
   std::vector<UnmetGuard> unmet;
   if (is_required) append(unmet, notGiven(plc));
-  if (plc.is_alive)
+  if (isHeard(plc, need))
     append(unmet, forbidden(plc));
   else if (plc.is_silent)
     unmet.push_back({kZoneTaken, whyZoneIsTaken(plc, need)});
@@ -67,7 +71,7 @@ std::vector<UnmetGuard> againstPlc(const PlcInterlocks& plc, PlcNeed need) {
 }
 
 std::string whyZoneIsTaken(const PlcInterlocks& plc, PlcNeed need) {
-  if (plc.is_alive) return plc.is_zone_taken ? kZoneReported : "";
+  if (isHeard(plc, need)) return plc.is_zone_taken ? kZoneReported : "";
   // Nobody tells another robot's coming: what was free when the PLC was heard last need not be free now.
   if (plc.is_silent) return "the PLC is silent, so that its zone counts as taken; expected its heartbeat";
   if (need == PlcNeed::Required)

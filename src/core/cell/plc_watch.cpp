@@ -36,6 +36,9 @@ bool isLost(PlcHeartbeat heartbeat) {
   return heartbeat == PlcHeartbeat::Lost || heartbeat == PlcHeartbeat::Abandoned;
 }
 
+/// Whether the heartbeat comes, armed or not.
+bool comes(const PlcInterlocks& found) { return found.is_alive || found.is_beating; }
+
 bool isWaiting(UnitState state) { return state == UnitState::Held || state == UnitState::Suspended; }
 
 bool isSuspension(int alarm) { return alarm >= 1201 && alarm <= 1206; }
@@ -49,23 +52,30 @@ void PlcWatch::hear(const PlcReport& report, double now_s) {
   const auto before = std::exchange(report_, report);
   heard_s_ = now_s;
   if (report.heartbeat == PlcHeartbeat::Good) is_armed_ = true;
+  hearSilence(report, before ? before->heartbeat : PlcHeartbeat::Unarmed);
   if (!before) return;
   const bool is_trusted = !isLost(report.heartbeat) && report.is_plate_written && before->is_plate_written;
   is_removal_new_ = is_removal_new_ || (is_trusted && report.is_part_removed && !before->is_part_removed);
   is_guard_opened_ =
-      is_guard_opened_ || (report.interlocks.is_alive && !report.is_guard_closed && before->is_guard_closed);
-  const auto is_new = [&](PlcHeartbeat heartbeat) {
-    return report.heartbeat == heartbeat && before->heartbeat != heartbeat;
-  };
-  const bool stops = report.on_silence == WatchdogAction::Stop && is_new(PlcHeartbeat::Lost);
-  const bool abandons = report.on_silence != WatchdogAction::None && is_new(PlcHeartbeat::Abandoned);
-  is_stop_due_ = is_stop_due_ || stops || abandons;
+      is_guard_opened_ || (comes(report.interlocks) && !report.is_guard_closed && before->is_guard_closed);
+}
+
+/// What the first report says is new: nobody tells whether a cell that died had acted on it.
+void PlcWatch::hearSilence(const PlcReport& report, PlcHeartbeat before) {
+  if (report.on_silence == WatchdogAction::Stop && isLost(report.heartbeat) && !isLost(before))
+    is_stop_due_ = true;
+  if (report.heartbeat != PlcHeartbeat::Abandoned)
+    is_abandoned_ = false;
+  else if (report.on_silence != WatchdogAction::None && before != PlcHeartbeat::Abandoned)
+    is_abandoned_ = true;
 }
 
 PlcInterlocks PlcWatch::interlocks(double now_s) const {
   PlcInterlocks found = report_ ? report_->interlocks : PlcInterlocks{};
-  found.is_alive = found.is_alive && now_s - heard_s_ <= kLongestLinkSilence;
-  found.is_silent = !found.is_alive && (is_armed_ || (report_ && isLost(report_->heartbeat)));
+  const bool is_link_heard = now_s - heard_s_ <= kLongestLinkSilence;
+  found.is_alive = found.is_alive && is_link_heard;
+  found.is_beating = found.is_beating && is_link_heard;
+  found.is_silent = !comes(found) && (is_armed_ || (report_ && isLost(report_->heartbeat)));
   return found;
 }
 
@@ -91,20 +101,21 @@ PlcDemands PlcWatch::demands(const UnitStatus& unit, double now_s) {
 std::vector<PlcAlarm> PlcWatch::causes(const UnitStatus& unit, double now_s) {
   std::vector<PlcAlarm> present;
   const PlcInterlocks found = interlocks(now_s);
-  for (const UnmetGuard& guard :
-       againstPlc(found, settings_.is_required ? PlcNeed::Required : PlcNeed::None)) {
+  const PlcNeed need = settings_.is_required ? PlcNeed::Required : PlcNeed::None;
+  const bool is_heard = isHeard(found, need);
+  for (const UnmetGuard& guard : againstPlc(found, need)) {
     const bool is_raised = raised_.count(guard.code) != 0;
     const bool runs =
         unit.state == UnitState::Execute || (settings_.holds_on_the_way && isOnTheWay(unit.state));
     const bool counts = runs || (is_raised && !restsBetweenJobs(unit.state));
     // What becomes of a part under way when the PLC falls silent is 2101's, by `modbus.watchdog_action`.
-    if (found.is_alive && suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
+    if (is_heard && suspends(guard.code) && counts) present.push_back({guard.code, guard.sentence});
   }
-  if (!found.is_alive && !restsBetweenJobs(unit.state))
+  if (!is_heard && !restsBetweenJobs(unit.state))
     for (const int id : raised_)
       if (isSuspension(id)) present.push_back({id, ""});
   // What was pressed stays pressed while nobody says otherwise.
-  if (found.is_emergency_stop_pressed && (found.is_alive || raised_.count(kEmergencyStopReported) != 0))
+  if (found.is_emergency_stop_pressed && (comes(found) || raised_.count(kEmergencyStopReported) != 0))
     present.push_back({kEmergencyStopReported, "the PLC reports the emergency stop pressed"});
   if (const auto silent = silence(unit, now_s)) present.push_back({kPlcSilent, *silent});
   return present;
@@ -135,9 +146,11 @@ std::optional<std::string> PlcWatch::silence(const UnitStatus& unit, double now_
 }
 
 std::optional<UnitCommand> PlcWatch::ordered(const UnitStatus& unit) {
-  if (std::exchange(is_stop_due_, false)) {
-    const bool is_abandoned = report_->heartbeat == PlcHeartbeat::Abandoned;
-    if (is_abandoned ? isWaiting(unit.state) : !restsBetweenJobs(unit.state)) return UnitCommand::Stop;
+  if (std::exchange(is_stop_due_, false) && !restsBetweenJobs(unit.state)) return UnitCommand::Stop;
+  // A unit that runs when this is heard first is held before it is stopped.
+  if (is_abandoned_ && (isWaiting(unit.state) || restsBetweenJobs(unit.state))) {
+    is_abandoned_ = false;
+    if (isWaiting(unit.state)) return UnitCommand::Stop;
   }
   const bool is_ours =
       unit.state == UnitState::Suspended && unit.stop_reason && isSuspension(unit.stop_reason->id);

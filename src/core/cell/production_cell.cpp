@@ -332,10 +332,12 @@ void ProductionCell::onEnd(CellTime now) {
   settle(now);
 }
 
-/// An order to pause that came before the job did was refused.
+/// An order to pause that came before the job did was refused; and a machine whose button somebody presses
+/// may go on where the unit may not.
 void ProductionCell::pauseAgain(CellTime now) {
   const UnitState state = unit_.status().state;
-  const bool is_due = state == UnitState::Holding || state == UnitState::Suspending;
+  const bool is_due = state == UnitState::Holding || state == UnitState::Suspending ||
+                      state == UnitState::Held || state == UnitState::Suspended;
   const bool is_heard = report_.phase != ExecutorPhase::Starting && report_.phase != ExecutorPhase::Running;
   if (!is_due || is_heard || now.steady_s - paused_s_ < kPauseInterval) return;
   paused_s_ = now.steady_s;
@@ -348,16 +350,18 @@ void ProductionCell::followPause(CellTime now) {
   if (state == UnitState::Execute) is_held_by_executor_ = report_.phase == ExecutorPhase::Paused;
   if (!is_held_by_executor_) return;
   if (state == UnitState::Execute) unit_.command({UnitCommand::Hold, "executor", {}, {}}, now.steady_s);
-  if (state == UnitState::Held && report_.phase == ExecutorPhase::Running)
-    unit_.command({UnitCommand::Unhold, "executor", {}, {}}, now.steady_s);
+  if (state != UnitState::Held || report_.phase != ExecutorPhase::Running) return;
+  const CommandAnswer answer = unit_.command({UnitCommand::Unhold, "executor", {}, {}}, now.steady_s);
+  // From here on it is held by the unit, and goes on when somebody orders that.
+  if (answer.result != CommandResult::Accepted) is_held_by_executor_ = false;
 }
 
 void ProductionCell::tick(CellTime now) {
   unit_.tick(now.steady_s);
   for (const ActiveAlarm& alarm : unit_.takeReturned(now.steady_s))
     write(now, [&] { keepAlarm(alarm, now.utc_s - (now.steady_s - alarm.raised_s)); });
-  pauseAgain(now);
   followPause(now);
+  pauseAgain(now);
   settle(now);
   while (isComplete()) {
     const std::uint32_t before = unit_.status().sequence;

@@ -36,6 +36,21 @@ void copyInto(const std::string& path, const std::string& target) {
   to.commit();
 }
 
+/// @throws FileError if the folder does not say so
+bool isKept(const std::string& target) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(target, error);
+  if (error) throw FileError("cannot look for '" + target + "': " + error.message());
+  return is_there;
+}
+
+std::uint64_t sizeOf(const std::string& target) {
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(target, error);
+  if (error) throw FileError("cannot tell the size of '" + target + "': " + error.message());
+  return bytes;
+}
+
 /// Brings a file that was written into the store to the disk, read-only: no row of the journal outlives what
 /// it names.
 void seal(const std::string& target) {
@@ -112,7 +127,8 @@ ArtefactStore::ArtefactStore(std::string folder)
     : folder_(std::move(folder)), read_(std::make_unique<ReadFiles>()) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (!std::filesystem::is_directory(folder_))
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(folder_, unknown))
     throw FileError(folder_ + ": cannot be made: " + (error ? error.message() : "it is no folder"));
   std::filesystem::permissions(folder_, std::filesystem::perms::owner_all, error);
 }
@@ -125,7 +141,7 @@ KeptFile ArtefactStore::keepFile(const std::string& path, const std::string& kin
   KeptFile kept{{sha256OfFile(path), 0, kind, name}, false};
   Artefact& artefact = kept.artefact;
   const std::string target = pathOf(artefact);
-  kept.is_new = !std::filesystem::exists(target);
+  kept.is_new = !isKept(target);
   try {
     if (kept.is_new || read_->digestOf(target) != artefact.sha256) {
       copyInto(path, target);
@@ -133,7 +149,7 @@ KeptFile ArtefactStore::keepFile(const std::string& path, const std::string& kin
     }
     // The file may have changed between the two times that it was read.
     if (read_->digestOf(target) != artefact.sha256) throw FileError(path + ": changed while it was kept");
-    artefact.bytes = std::filesystem::file_size(target);
+    artefact.bytes = sizeOf(target);
   } catch (...) {
     if (kept.is_new) remove(artefact);
     throw;
@@ -149,7 +165,7 @@ void ArtefactStore::remove(const Artefact& artefact) {
 Artefact ArtefactStore::keepText(const std::string& bytes, const std::string& kind, const std::string& name) {
   Artefact artefact{sha256Of(std::string_view(bytes)), bytes.size(), kind, name};
   const std::string target = pathOf(artefact);
-  if (std::filesystem::exists(target) && read_->digestOf(target) == artefact.sha256) return artefact;
+  if (isKept(target) && read_->digestOf(target) == artefact.sha256) return artefact;
   AtomicFile to(target);
   to.write(bytes);
   to.commit();

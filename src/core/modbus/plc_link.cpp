@@ -44,6 +44,13 @@ bool isStopAlone(const ModbusRequest& request) {
          isStopping(request.written[0]);
 }
 
+/// What a request writes into a register; nothing if it leaves it.
+std::optional<std::uint16_t> writtenTo(std::size_t address, const ModbusRequest& request) {
+  if (address < request.write_address || address - request.write_address >= request.written.size())
+    return std::nullopt;
+  return request.written[address - request.write_address];
+}
+
 }  // namespace
 
 std::string PlcLink::answer(int connection, const ModbusRequest& request, double now_s) {
@@ -68,6 +75,7 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
     after.at(address) = request.written[i];
   }
   if (!areInRange(after, settings_.word_order)) return ModbusException::IllegalValue;
+  forgetStop(connection, request);
   if (isStopAlone(request) && writer_ != connection) {
     takeStop(connection, request);
     return std::nullopt;
@@ -78,6 +86,7 @@ std::optional<ModbusException> PlcLink::write(int connection, const ModbusReques
   const HoldingRegisters before = std::exchange(holding_, after);
   if (holding_[kHeartbeatRegister] != before[kHeartbeatRegister]) {
     figures_.plc_heartbeat = holding_[kHeartbeatRegister];
+    has_beaten_ = true;
     heard_s_ = now_s;
     if (watchdog_ == PlcHeartbeat::Unarmed && access_ == RemoteAccess::Allowed)
       watchdog_ = PlcHeartbeat::Good;
@@ -94,6 +103,13 @@ void PlcLink::takeStop(int connection, const ModbusRequest& request) {
   const std::uint16_t sequence = request.written[1];
   const std::uint16_t last = std::exchange(stops_[connection], sequence);
   if (sequence != 0 && sequence != last) order({PlcOrder::Kind::Command, request.written[0], sequence});
+}
+
+/// Another sequence lets a button go, also where the write is refused: its next press counts again.
+void PlcLink::forgetStop(int connection, const ModbusRequest& request) {
+  const auto stop = stops_.find(connection);
+  const auto sequence = writtenTo(kCommandSequenceRegister, request);
+  if (stop != stops_.end() && sequence && *sequence != stop->second) stops_.erase(stop);
 }
 
 void PlcLink::findOrders(int connection, const ModbusRequest& request, const HoldingRegisters& before) {

@@ -22,6 +22,7 @@ PlcReport reportOf(const lamina_msgs::PlcInputs& said) {
   report.is_guard_closed = said.is_guard_closed != 0;
   PlcInterlocks& interlocks = report.interlocks;
   interlocks.is_alive = report.heartbeat == PlcHeartbeat::Good;
+  interlocks.is_beating = said.is_beating != 0;
   interlocks.has_material = said.has_material != 0;
   interlocks.has_gas = said.has_gas != 0;
   interlocks.has_cooling = said.has_cooling != 0;

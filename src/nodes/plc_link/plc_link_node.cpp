@@ -205,6 +205,7 @@ lamina_msgs::PlcInputs PlcLinkNode::inputsNow() {
   message.linked = linked_;
   message.sequence = sequence_;
   message.watchdog = static_cast<std::uint8_t>(heartbeat_);
+  message.is_beating = link_.isBeating(clock_.now());
   message.on_silence = static_cast<std::uint8_t>(settings_.on_silence);
   message.has_material = said.has_material;
   message.has_gas = said.has_gas;

@@ -286,6 +286,25 @@ TEST(PlcLink, HoldsTheUnitWhenItsPlcFallsSilent) {
   }));
 }
 
+TEST(PlcLink, HearsWhatItsPlcForbidsWhileRemoteAccessIsLocked) {
+  LinkedCell linked("locked", 20.0, {"_modbus/watchdog_s:=10"});
+  LibmodbusClient plc(linked.port);
+  linked.cell.bringToIdle();
+  std::uint16_t heartbeat = 0;
+  std::string refusal;
+  // No job is released, so that a Start that comes too early begins nothing.
+  const auto isZoneAgainstStart = [&] {
+    refusal = linked.cell.refusalOf(Command::START, "page: anna");
+    return refusal.find("another robot in the zone") != std::string::npos;
+  };
+  plc.write(11, {8});
+  EXPECT_TRUE(beatUntil(plc, heartbeat, isZoneAgainstStart)) << refusal;
+  EXPECT_TRUE(beatUntil(plc, heartbeat, [&] { return linked.said.is_beating; }));
+  EXPECT_EQ(linked.said.watchdog, lamina_msgs::PlcInputs::UNARMED);
+  plc.write(11, {0});
+  EXPECT_TRUE(beatUntil(plc, heartbeat, [&] { return !isZoneAgainstStart(); })) << refusal;
+}
+
 TEST(PlcLink, ListensWhereItIsSetTo) {
   LinkedCell linked("elsewhere", 1000.0, {"_modbus/bind:=0.0.0.0", "_modbus/allow:=192.0.2.1, 127.0.0.1"});
   EXPECT_TRUE(waitUntil([&] { return linked.cell.hasAlarm(9002); })) << "reachable from other hosts";
