@@ -95,9 +95,9 @@ HttpMethod methodOf(http::verb verb) {
 
 /// Headers that say who asks and for what: twice, they could be read in two ways.
 bool isOnce(const std::string& name) {
-  static constexpr std::array kOnce = {"host",         "origin",       "authorization",
-                                       "x-api-key",    "cookie",       "content-length",
-                                       "content-type", "x-csrf-token", "idempotency-key"};
+  static constexpr std::array kOnce = {
+      "host",           "origin",       "authorization", "x-api-key",       "cookie",
+      "content-length", "content-type", "x-csrf-token",  "idempotency-key", "x-pressed-at"};
   return std::find(kOnce.begin(), kOnce.end(), name) != kOnce.end();
 }
 
