@@ -1,6 +1,7 @@
 // Requests to the server, and the link over which the state comes.
 
 let csrf = "";
+let clock = null; // the server's time in the last state [s], and when it came by this host [ms]
 const pollTimeout = 3000; // ms
 const silentAfter = 2500; // ms: the state comes once a second at least
 const deadAfter = 4000; // ms
@@ -13,8 +14,14 @@ export class Refused extends Error {
   }
 }
 
-async function send(method, path, body, signal) {
+/** By the server's clock: orders that let the machine move and are held up on their way are refused there. */
+function pressedAt() {
+  return clock && (clock.server + (performance.now() - clock.came) / 1000).toFixed(3);
+}
+
+async function send(method, path, body, { pressed, signal }) {
   const headers = { "X-CSRF-Token": csrf };
+  if (pressed) headers["X-Pressed-At"] = pressed;
   if (body !== undefined) headers["Content-Type"] = "application/json";
   const response = await fetch(path, {
     method,
@@ -37,12 +44,13 @@ async function send(method, path, body, signal) {
 
 /** A server that was started anew knows the page's key no more: what it refuses for that is asked with its own. */
 async function request(method, path, body, signal) {
+  const how = { pressed: method === "POST" ? pressedAt() : null, signal };
   try {
-    return await send(method, path, body, signal);
+    return await send(method, path, body, how);
   } catch (error) {
     if (error.code !== "no_csrf_token") throw error;
     await session();
-    return send(method, path, body, signal);
+    return send(method, path, body, how);
   }
 }
 
@@ -110,9 +118,14 @@ export class Link {
       this.heard = Date.now();
       if (isNew) this.opened += 1;
       isNew = false;
-      this.onState(JSON.parse(event.data));
+      this.take(JSON.parse(event.data));
     });
     socket.addEventListener("close", () => setTimeout(() => isUsed() && this.connect(), 1000));
+  }
+
+  take(state) {
+    if (state.clock_s !== undefined) clock = { server: state.clock_s, came: performance.now() };
+    this.onState(state);
   }
 
   /** A connection whose other end is gone stays open for minutes: the state is asked for beside one that is silent, and it is given up. */
@@ -133,7 +146,7 @@ export class Link {
     this.isAsking = true;
     try {
       const state = await get("/api/v1/state", AbortSignal.timeout(pollTimeout));
-      if (this.isWanted) this.onState(state);
+      if (this.isWanted) this.take(state);
     } catch (error) {
       if (error.status === 401) this.onLoggedOut();
     } finally {

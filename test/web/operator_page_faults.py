@@ -49,6 +49,7 @@ class Cell:
         self.upload_s = 0.0
         self.forms = []  # of the uploads
         self.bodies = []  # of the commands
+        self.pressed = []  # when each was, as the page has it, and when it came [s]
         self.refused = 0  # questions who is logged in that are answered by 503 first
         self.events, self.samples = [], []
         self.clock_s = 0.0  # what its clock is ahead by
@@ -62,6 +63,7 @@ class Cell:
                 "progress": {"lines": 10, "lines_acknowledged": 1, "layer": -1, "fraction": 0.1},
                 "machine": {"nozzle_degc": 210.0, "bed_degc": 60.0, "position_m": [0, 0, 0], "age_s": self.machine_age_s, "failure": ""},
                 "startup": [], "loop": None, "layers": [], "deviation_number": 0, "has_camera": self.has_camera, "parts": 0, "defective": 0,
+                "clock_s": time.monotonic(),
                 "key_requests": []}
 
 
@@ -137,6 +139,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
             self.answer(403, {"code": "no_csrf_token", "message": "the header X-CSRF-Token is missing or another one"})
         elif self.path == "/api/v1/commands":
             cell.bodies.append(json.loads(body))
+            cell.pressed.append((float(self.headers.get("X-Pressed-At", "nan")), time.monotonic()))
             command = cell.bodies[-1]["command"]
             cell.commands.append(command)
             if command in cell.after:
@@ -195,6 +198,16 @@ def check_server_started_anew(page, cell):
     page.press("hold")
     page.wait(lambda: "accepted" in page.text("#command-answer"), "Hold is accepted by the server that was started anew")
     require(cell.commands == ["Hold"], f"commands were {cell.commands}")
+
+
+def check_time_of_a_press(page, cell):
+    """By the server's clock, not before the state by which it was pressed and not after it came."""
+    before = time.monotonic()
+    page.open()
+    page.press("hold")
+    page.wait(lambda: cell.pressed, "Hold has come")
+    pressed, came = cell.pressed[0]
+    require(before <= pressed <= came + 0.001, f"pressed at {pressed} s; expected {before} to {came} s")
 
 
 def check_busy_server(page, cell):
@@ -423,7 +436,8 @@ def main():
     page = Page(f"http://127.0.0.1:{server.server_address[1]}/", folder)
     failed = 0
     try:
-        for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_silent_socket, ()), (check_camera_after_loss, ()),
+        for check, more in ((check_server_started_anew, ()), (check_busy_server, ()), (check_time_of_a_press, ()),
+                            (check_silent_socket, ()), (check_camera_after_loss, ()),
                             (check_second_press, ()),
                             (check_resume_only_where_it_can_be_done, ()),
                             (check_resume_from_the_place_that_was_confirmed, ()), (check_resume_in_a_low_window, ()),

@@ -118,6 +118,34 @@ TEST(OrderLane, GivesAStopOnceMoreAfterAnOrderThatWasOnItsWay) {
   EXPECT_EQ(other.outcome, Outcome::Done);
 }
 
+TEST(OrderLane, GivesEachOfSeveralStopsOnceMore) {
+  OrderLane lane;
+  std::promise<void> is_begun;
+  std::promise<void> go;
+  auto step = std::async(std::launch::async, [&] {
+    return lane.ask({"the next step", OrderEffect::Moves, "streamer", kLong, [&] {
+                       is_begun.set_value();
+                       go.get_future().wait();
+                       return DeskAnswer{};
+                     }});
+  });
+  is_begun.get_future().wait();
+  std::vector<std::string> given;
+  for (const char* kind : {"Stop", "Abort of the start-up", "Stop"})
+    lane.dropMoves({kind, OrderEffect::Stops, "cell", kLong, [&given, kind] {
+                      given.emplace_back(kind);
+                      return DeskAnswer{};
+                    }});
+  go.set_value();
+  const DeskAnswer answer = step.get();
+  EXPECT_EQ(given, (std::vector<std::string>{"Abort of the start-up", "Stop"}));
+  EXPECT_EQ(answer.outcome, Outcome::Overtaken);
+  EXPECT_EQ(
+      answer.message,
+      "the next step was on its way when Abort of the start-up and Stop were asked for, which were given "
+      "after it once more");
+}
+
 TEST(OrderLane, LetsOneOrderOfEachKindWait) {
   HeldUpLane held;
   auto start = held.ask("Start", OrderEffect::Moves);

@@ -220,6 +220,9 @@ enum class QueueChange : std::uint8_t { Release = 0, Revoke = 1, MoveToFront = 2
 enum class StartupCommand : std::uint8_t { Run = 0, Confirm = 1, Abort = 2 };
 enum class ShownLoopRequest : std::uint8_t { Off = 0, Identify = 1, Active = 2 };
 
+/// A step by hand that comes later than this after it was asked for is not wanted any more [s].
+constexpr double kLatestStep = 0.5;
+
 /// An order to move the machine by hand.
 struct DeskManual {
   enum class Kind : std::uint8_t { Take = 0, Step = 1, Release = 2 };

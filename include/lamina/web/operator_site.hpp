@@ -40,6 +40,7 @@ struct SiteSettings {
   FreeBytes free_bytes = freeForUploads;  ///< returns the free space on the disk of `upload_folder`
   std::string journal_folder;  ///< folder of the cell's journal, from which records of parts are read
   UploadPrint upload_print = UploadPrint::Wait;
+  double patience_s = 5.0;                ///< longest time on the way of a request that lets the unit move
   std::string identity = {};              ///< text that is unique to this page and remains over restarts
   std::vector<std::string> notices = {};  ///< shown on the page as long as the site runs
 };

@@ -23,6 +23,12 @@ enum class OrderEffect : std::uint8_t {
   Other
 };
 
+/// Whether a command keeps the unit from going on.
+constexpr bool stopsUnit(UnitCommand command) {
+  return command == UnitCommand::Hold || command == UnitCommand::Suspend || command == UnitCommand::Stop ||
+         command == UnitCommand::Abort;
+}
+
 /// An order to another node of the cell.
 struct LaneOrder {
   std::string kind;  ///< "Start": at most one order of a kind waits at a time
@@ -51,7 +57,8 @@ class OrderLane {
   DeskAnswer ask(LaneOrder order);
 
   /// Drops orders that would move the unit and were not begun yet. An order that was begun cannot be taken
-  /// back: unless its answer shows that it was refused, `stop` is given once more after it.
+  /// back: unless its answer shows that it was refused, `stop` is given once more after it, as is each stop
+  /// of another kind for which this was called meanwhile.
   /// @param stop  the order that stops the unit
   void dropMoves(const LaneOrder& stop);
 
@@ -60,6 +67,7 @@ class OrderLane {
 
  private:
   struct Waiting;
+  static DeskAnswer overtaken(const Waiting& waiting);
   void run();
   std::shared_ptr<Waiting> ofKind(const std::string& kind) const;
 

@@ -7,6 +7,7 @@
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/web/mesh_upload.hpp"
+#include "lamina/web/order_lane.hpp"
 #include "web/site_routes.hpp"
 
 namespace lamina {
@@ -22,7 +23,9 @@ WebResponse noted(WebResponse response, const std::string& note) {
 }
 
 WebResponse getState(SiteCall& call) {
-  return jsonAnswer(200, stateJson(call.parts, *call.who().role, call.now));
+  json state = stateJson(call.parts, *call.who().role, call.now);
+  state["clock_s"] = call.now.steady_s;
+  return jsonAnswer(200, state);
 }
 
 WebResponse getAlarms(SiteCall& call) {
@@ -82,6 +85,25 @@ WebResponse getStartup(SiteCall& call) {
   return jsonAnswer(200, {{"startup", startupJson(call.parts.desk.snapshot())}});
 }
 
+/// What would let something move is refused if it was pressed too long ago: held up on its way, it would be
+/// carried out when whoever pressed may stand at the machine. Without the header nobody says when it was.
+std::optional<WebResponse> refusedAsLate(const SiteCall& call, const std::string& what, double most_s) {
+  const std::string stated = call.request.head.header("x-pressed-at");
+  if (stated.empty()) return std::nullopt;
+  const json pressed = json::parse(stated, nullptr, false);
+  if (!pressed.is_number())
+    throw InvalidInput("X-Pressed-At is '" + stated.substr(0, 40) + "'; expected clock_s of a state, in s");
+  const double age_s = call.now.steady_s - pressed.get<double>();
+  // Beyond the present it is a time of a host that was started anew since.
+  if (std::abs(age_s) <= most_s) return std::nullopt;
+  WebResponse refusal = errorAnswer(409, "too_late",
+                                    what + " came " + numberText(std::round(age_s * 10.0) / 10.0) +
+                                        " s after it was pressed; expected at most " + numberText(most_s) +
+                                        " s; nothing was done");
+  refusal.note = what;
+  return refusal;
+}
+
 WebResponse runStartup(SiteCall& call) {
   const json body = bodyObject(call);
   const std::string word = textOf(body, "command");
@@ -91,6 +113,9 @@ WebResponse runStartup(SiteCall& call) {
   const StartupCommand command = word == "run"       ? StartupCommand::Run
                                  : word == "confirm" ? StartupCommand::Confirm
                                                      : StartupCommand::Abort;
+  if (command != StartupCommand::Abort)
+    if (const auto late = refusedAsLate(call, "start-up: " + word, call.parts.settings.patience_s))
+      return *late;
   return noted(orderAnswer(call, call.parts.desk.startup(command, step)), "start-up: " + word + " " + step);
 }
 
@@ -110,6 +135,8 @@ WebResponse setLoop(SiteCall& call) {
   const ShownLoopRequest request = word == "off"        ? ShownLoopRequest::Off
                                    : word == "identify" ? ShownLoopRequest::Identify
                                                         : ShownLoopRequest::Active;
+  if (request != ShownLoopRequest::Off)
+    if (const auto late = refusedAsLate(call, "loop " + word, call.parts.settings.patience_s)) return *late;
   return noted(orderAnswer(call, call.parts.desk.setLoop(request)), "loop " + word);
 }
 
@@ -228,6 +255,9 @@ WebResponse giveCommand(SiteCall& call) {
       throw InvalidInput("if_sequence is not a whole number from 0 to 4294967295");
     command.expected_sequence = sequence->get<std::uint32_t>();
   }
+  if (!stopsUnit(command.command))
+    if (const auto late = refusedAsLate(call, toString(command.command), call.parts.settings.patience_s))
+      return *late;
   std::string note = toString(command.command);
   note += confirmedText(command.confirmed);
   return noted(orderAnswer(call, call.parts.desk.command(command)), note);
@@ -282,9 +312,11 @@ WebResponse moveByHand(SiteCall& call) {
       throw InvalidInput("lease is not a whole number from 0 on; expected that of the answer to take");
     order.who.lease = lease->get<std::uint64_t>();
   }
-  if (order.kind == DeskManual::Kind::Step)
+  if (order.kind == DeskManual::Kind::Step) {
+    if (const auto late = refusedAsLate(call, "a step by hand", kLatestStep)) return *late;
     order.step = {textOf(body, "frame"), textOf(body, "axis"), finiteNumber(body, "step"),
                   finiteNumber(body, "speed")};
+  }
   const DeskAnswer answer = call.parts.desk.moveByHand(order);
   if (answer.outcome != DeskAnswer::Outcome::Done)
     return noted(orderAnswer(call, answer), "by hand: " + word);

@@ -30,6 +30,12 @@ std::vector<std::string> partsOf(const std::string& pattern) {
   return parsedTarget(pattern).value_or(HttpTarget{}).segments;
 }
 
+/// The text of a state with the time at which it was written, by which a page tells when it was pressed. That
+/// time alone makes no state a new one.
+std::string withClock(const std::string& state, const CellTime& now) {
+  return state.substr(0, state.size() - 1) + R"(,"clock_s":)" + nlohmann::json(now.steady_s).dump() + '}';
+}
+
 bool isPlace(const std::string& part) { return part.front() == '{'; }
 
 /// The values of a pattern's places; nothing if the path is another one.
@@ -138,7 +144,8 @@ struct OperatorSite::Inside {
   RateLimit all_refusals;
   std::map<std::int64_t, double> used_s;
   StateBell bell;
-  std::array<Live, 2> lives;  // for those who see the state only, and for all others
+  std::array<Live, 2> lives;          // for those who see the state only, and for all others
+  std::array<std::string, 2> states;  // of `lives`, without the time at which they were written
   Frame frame;
   std::mutex keys_mutex;  // of the keys: taken while the disk is written to
   std::set<std::string> keys_under_way;
@@ -423,12 +430,14 @@ void OperatorSite::observe(const CellTime& now) {
   bool is_new = false;
   std::size_t place = 0;
   for (const WebRole role : {WebRole::Sender, WebRole::Viewer}) {
-    auto text = std::make_shared<const std::string>(
-        stateJson(inside_->parts, role, now).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    std::string state =
+        stateJson(inside_->parts, role, now).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     const std::lock_guard<std::mutex> lock(inside_->mutex);
-    Live& live = inside_->lives.at(place++);
-    if (live.text && *live.text == *text) continue;
-    live = {live.number + 1, std::move(text)};
+    Live& live = inside_->lives.at(place);
+    std::string& before = inside_->states.at(place++);
+    if (live.text && before == state) continue;
+    live = {live.number + 1, std::make_shared<const std::string>(withClock(state, now))};
+    before = std::move(state);
     is_new = true;
   }
   if (is_new) inside_->bell.ring();

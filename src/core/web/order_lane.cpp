@@ -6,6 +6,9 @@
 #include <chrono>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -32,8 +35,19 @@ struct OrderLane::Waiting {
   std::optional<DeskAnswer> answer;
   bool is_under_way = false;
   int askers = 1;
-  std::optional<LaneOrder> stop;  ///< that was asked for while it was being given
+  std::vector<LaneOrder> stops;  ///< that were asked for while it was being given, one of each kind
 };
+
+DeskAnswer OrderLane::overtaken(const Waiting& waiting) {
+  std::vector<std::string> kinds;
+  kinds.reserve(waiting.stops.size());
+  for (const LaneOrder& stop : waiting.stops) kinds.push_back(stop.kind);
+  const bool is_one = kinds.size() == 1;
+  return notGiven(DeskAnswer::Outcome::Overtaken,
+                  waiting.order.kind + " was on its way when " + listed(kinds, " and ") +
+                      (is_one ? " was asked for, which was" : " were asked for, which were") +
+                      " given after it once more");
+}
 
 OrderLane::OrderLane() : thread_([this] { run(); }) {}
 
@@ -86,7 +100,14 @@ DeskAnswer OrderLane::ask(LaneOrder order) {
 
 void OrderLane::dropMoves(const LaneOrder& stop) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (under_way_ && under_way_->order.effect == OrderEffect::Moves) under_way_->stop = stop;
+  if (under_way_ && under_way_->order.effect == OrderEffect::Moves) {
+    // A start-up's Abort and a Stop of the unit stop different things: the one does not replace the other.
+    auto& stops = under_way_->stops;
+    const auto same = std::find_if(stops.begin(), stops.end(),
+                                   [&stop](const LaneOrder& other) { return other.kind == stop.kind; });
+    if (same != stops.end()) stops.erase(same);
+    stops.push_back(stop);
+  }
   for (const auto& waiting : waiting_)
     if (waiting->order.effect == OrderEffect::Moves)
       waiting->answer = notGiven(DeskAnswer::Outcome::Overtaken,
@@ -115,13 +136,11 @@ void OrderLane::run() {
     DeskAnswer answer = waiting->order.call();
     lock.lock();
     under_way_.reset();
-    if (waiting->stop && mayMove(answer.outcome)) {
+    if (!waiting->stops.empty() && mayMove(answer.outcome)) {
       lock.unlock();
-      static_cast<void>(waiting->stop->call());
+      for (const LaneOrder& stop : waiting->stops) static_cast<void>(stop.call());
       lock.lock();
-      answer.outcome = DeskAnswer::Outcome::Overtaken;
-      answer.message = waiting->order.kind + " was on its way when " + waiting->stop->kind +
-                       " was asked for, which was given after it once more";
+      answer = overtaken(*waiting);
     }
     waiting->answer = answer;
     changed_.notify_all();

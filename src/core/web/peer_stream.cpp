@@ -44,11 +44,12 @@ TlsContext tlsContext(const std::string& certificate, const std::string& key) {
   return context;
 }
 
-PeerSocket::PeerSocket(int descriptor, SSL_CTX* context) : descriptor_(descriptor) {
+PeerSocket::PeerSocket(int descriptor, SSL_CTX* context)
+    : descriptor_(descriptor), is_plain_(context == nullptr) {
   ::fcntl(descriptor_, F_SETFL, ::fcntl(descriptor_, F_GETFL) | O_NONBLOCK);
   const int is_on = 1;
   ::setsockopt(descriptor_, IPPROTO_TCP, TCP_NODELAY, &is_on, sizeof is_on);
-  if (context == nullptr) return;
+  if (is_plain_) return;
   ssl_.reset(SSL_new(context));
   if (ssl_) SSL_set_fd(ssl_.get(), descriptor_);
 }
@@ -82,7 +83,8 @@ PeerResult PeerSocket::shakeHands() {
     const PeerResult awaited = await(result);
     if (awaited != PeerResult::Done) return awaited;
   }
-  return PeerResult::Done;
+  // Without memory for TLS there is none: what was meant to be encrypted is not sent in plain text.
+  return is_plain_ ? PeerResult::Done : PeerResult::Closed;
 }
 
 PeerSocket::Transfer PeerSocket::read(void* buffer, std::size_t size) {

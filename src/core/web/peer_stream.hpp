@@ -29,7 +29,9 @@ enum class PeerResult : std::uint8_t { Done, Closed, Late };
 class PeerSocket {
  public:
   /// Takes ownership of the descriptor, and makes it non-blocking.
-  /// @param context  of TLS; null for a plain connection
+  /// @param context  of TLS; null for a plain connection. Where OpenSSL gives no connection, `shakeHands`
+  /// answers
+  ///   Closed.
   PeerSocket(int descriptor, SSL_CTX* context);
   ~PeerSocket();
   PeerSocket(const PeerSocket&) = delete;
@@ -71,6 +73,7 @@ class PeerSocket {
 
   SteadyClock clock_;
   int descriptor_;
+  bool is_plain_;
   double until_s_ = 0.0;
   std::unique_ptr<SSL, FreeSsl> ssl_;
 };

@@ -3,6 +3,7 @@
 #include "lamina/web/web_server.hpp"
 
 #include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <csignal>
 #include <limits>
 #include <list>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -95,9 +97,9 @@ HttpMethod methodOf(http::verb verb) {
 
 /// Headers that say who asks and for what: twice, they could be read in two ways.
 bool isOnce(const std::string& name) {
-  static constexpr std::array kOnce = {"host",         "origin",       "authorization",
-                                       "x-api-key",    "cookie",       "content-length",
-                                       "content-type", "x-csrf-token", "idempotency-key"};
+  static constexpr std::array kOnce = {
+      "host",           "origin",       "authorization", "x-api-key",       "cookie",
+      "content-length", "content-type", "x-csrf-token",  "idempotency-key", "x-pressed-at"};
   return std::find(kOnce.begin(), kOnce.end(), name) != kOnce.end();
 }
 
@@ -514,7 +516,7 @@ class WebServer::Listener {
 
   void start(std::uint64_t number, int descriptor, const HttpPeer& peer) {
     auto is_done = std::make_shared<std::atomic<bool>>(false);
-    std::thread thread([this, number, descriptor, peer, is_done] {
+    const auto serve = [this, number, descriptor, peer, is_done] {
       {
         PeerSocket socket(descriptor, tls_.get());
         try {
@@ -525,8 +527,18 @@ class WebServer::Listener {
         table_.remove(number);
       }
       *is_done = true;
-    });
-    running_.push_back({std::move(thread), std::move(is_done)});
+    };
+    try {
+      running_.push_back({std::thread(serve), is_done});
+      is_short_of_threads_ = false;
+    } catch (const std::system_error& error) {
+      table_.remove(number);
+      ::close(descriptor);
+      if (!std::exchange(is_short_of_threads_, true))
+        log_(LogLevel::Error, "connections are closed: no thread for them: " + std::string(error.what()));
+      // Where the host has none left, trying again at once would only take its time.
+      std::this_thread::sleep_for(std::chrono::milliseconds(kAcceptWait));
+    }
   }
 
   void reap() {
@@ -550,6 +562,7 @@ class WebServer::Listener {
   std::uint16_t port_ = 0;
   std::atomic<bool> is_ending_{false};
   std::list<Running> running_;
+  bool is_short_of_threads_ = false;  ///< the last connection got none
   std::thread thread_;
 };
 

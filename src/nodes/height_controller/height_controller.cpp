@@ -90,7 +90,7 @@ HeightController::~HeightController() {
 }
 
 void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
-  if (isFollowedPlan(message->id)) return;
+  if (isFollowedPlan(message->id) || isDeliveredAgain(*message)) return;
   print_hold_.release();
   if (ended_) endJob();
   hold_.releaseAll();
@@ -101,7 +101,7 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
     memory_.forget();
   }
   const bool is_first = !announced_toolpath_;
-  announced_toolpath_ = message;
+  announced_toolpath_ = delivered_toolpath_ = message;
   if (!firstLayerOf(message->id)) part_toolpath_ = message;
   calibrator_.setMachine(message->machine);
   beginPrint(*message);
@@ -115,6 +115,15 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
 bool HeightController::isFollowedPlan(const std::string& toolpath_id) const {
   return feed_.run() != nullptr && feed_.run()->part().toolpath_id == toolpath_id &&
          firstLayerOf(toolpath_id).has_value();
+}
+
+/// Of a latched message ROS delivers the same once more where a connection broke off and was made again:
+/// begun anew amid a print, the loop would wait at the first layer for what lies far below the nozzle.
+bool HeightController::isDeliveredAgain(const lamina_msgs::Toolpath& message) const {
+  const auto is_same = [&message](const lamina_msgs::ToolpathConstPtr& before) {
+    return before && before->id == message.id && before->header.stamp == message.header.stamp;
+  };
+  return !message.header.stamp.isZero() && (is_same(delivered_toolpath_) || is_same(part_toolpath_));
 }
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {

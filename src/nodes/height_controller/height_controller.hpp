@@ -32,7 +32,9 @@ namespace lamina {
 
 /// Corrects the next deposits by measurements.
 ///
-/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
+/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print,
+/// one
+///             that is delivered again, with the same id and stamp, does not),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
 /// Publishes   correction, loop_state, loop_figures, loop_cells, gain_map, deviation_markers (see
 /// ControllerTopics), alarm_reports
@@ -60,6 +62,7 @@ class HeightController {
   bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
   void onTimer();
   bool isFollowedPlan(const std::string& toolpath_id) const;
+  bool isDeliveredAgain(const lamina_msgs::Toolpath& message) const;
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void beginNextPart(const lamina_msgs::MachineState& machine);
@@ -89,7 +92,8 @@ class HeightController {
   PrintHold print_hold_;
   PrintMemory memory_;
   CellCalibrator calibrator_;
-  lamina_msgs::ToolpathConstPtr announced_toolpath_;  ///< the last one
+  lamina_msgs::ToolpathConstPtr announced_toolpath_;  ///< that of the present print
+  lamina_msgs::ToolpathConstPtr delivered_toolpath_;  ///< the last one
   lamina_msgs::ToolpathConstPtr part_toolpath_;       ///< the last one that is no plan
   LoopRecord record_;
   std::size_t layers_below_ = 0;  ///< layers of the print below the present plan of the layers left

@@ -70,7 +70,7 @@ void describe(SettingsSchema& schema, OperatorPageSettings& settings) {
   schema.text("camera.topic", settings.camera_topic,
               "Images of the camera; those on this topic with /compressed are taken before raw ones.");
   schema.number("cell.patience_s", settings.patience_s, {0.1, 60.0},
-                "Time in which the cell answers an order.");
+                "Time in which the cell answers an order, and the longest that one to move was on its way.");
 }
 
 SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& folder) {
@@ -84,6 +84,7 @@ SiteSettings siteOf(const OperatorPageSettings& settings, const std::string& fol
   site.journal_folder = folder;
   site.most_upload_bytes = static_cast<std::uint64_t>(settings.largest_upload_mb) << 20;
   site.upload_print = settings.upload_print;
+  site.patience_s = settings.patience_s;
   site.identity = identityOf(folder);
   if (!isLoopbackHost(settings.bind))
     site.notices.push_back(settings.is_encrypted

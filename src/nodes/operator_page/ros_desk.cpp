@@ -21,7 +21,6 @@ namespace lamina {
 namespace {
 
 constexpr double kProgramPatience = 1800.0;  // [s]: a program of 1 GiB is read, and may wait for others
-constexpr double kStepPatience = 0.5;        // [s]: a step that comes later is not wanted any more
 constexpr std::size_t kMostLayers = 500;
 constexpr std::uint32_t kMostCells = 160;  // columns and rows of the picture of deviations
 
@@ -141,9 +140,7 @@ DeskAnswer unitAnswer(int result, const std::string& message) {
 }
 
 OrderEffect effectOf(UnitCommand command) {
-  const bool is_stop = command == UnitCommand::Hold || command == UnitCommand::Suspend ||
-                       command == UnitCommand::Stop || command == UnitCommand::Abort;
-  return is_stop ? OrderEffect::Stops : OrderEffect::Moves;
+  return stopsUnit(command) ? OrderEffect::Stops : OrderEffect::Moves;
 }
 
 }  // namespace
@@ -265,20 +262,13 @@ void RosDesk::onDeviation(const sensor_msgs::ImageConstPtr& image) {
   seen_.deviation_number = deviation_.number;
 }
 
-DeskAnswer RosDesk::give(LaneOrder order) {
-  if (order.effect != OrderEffect::Stops) return orders_.ask(std::move(order));
-  // What was asked for before must not move the unit after it was stopped.
-  orders_.dropMoves(order);
-  return stops_.ask(std::move(order));
-}
-
 template <class Service>
 DeskAnswer RosDesk::callUnit(const Label& label, const char* name, const Service& call) {
   const auto ask = [node = node_, name, call = call]() mutable {
     if (!callService(node.resolveName(name), call)) return silent(name);
     return unitAnswer(call.response.result, call.response.message);
   };
-  return give({label.kind, label.effect, "cell_controller", patience_s_, ask});
+  return lanes_.give({label.kind, label.effect, label.node, patience_s_, ask});
 }
 
 template <class Service>
@@ -287,7 +277,7 @@ DeskAnswer RosDesk::callForStatus(const Label& label, const char* name, const Se
     if (!callService(node.resolveName(name), call)) return silent(name);
     return answerOf(call.response.status);
   };
-  return give({label.kind, label.effect, name, patience_s_, ask});
+  return lanes_.give({label.kind, label.effect, label.node, patience_s_, ask});
 }
 
 DeskAnswer RosDesk::command(const DeskCommand& command) {
@@ -335,14 +325,14 @@ DeskAnswer RosDesk::moveByHand(const DeskManual& order) {
   };
   switch (order.kind) {
     case DeskManual::Kind::Take:
-      return give({"a lease", OrderEffect::Other, "cell_controller", patience_s_, ask});
+      return lanes_.give({"a lease", OrderEffect::Other, kUnitNode, patience_s_, ask});
     case DeskManual::Kind::Step:
-      return give({"a step by hand", OrderEffect::Moves, "cell_controller", kStepPatience, ask});
+      return lanes_.give({"a step by hand", OrderEffect::Moves, kUnitNode, kLatestStep, ask});
     case DeskManual::Kind::Release:
       break;
   }
   const std::string kind = "release of lease " + std::to_string(order.who.lease);
-  return give({kind, OrderEffect::Stops, "cell_controller", patience_s_, ask});
+  return lanes_.give({kind, OrderEffect::Stops, kUnitNode, patience_s_, ask});
 }
 
 DeskAnswer RosDesk::enqueue(const DeskProgram& program) {
@@ -436,7 +426,7 @@ DeskAnswer RosDesk::confirmRemoval(const std::string& source) {
     if (!call.response.success) answer.outcome = DeskAnswer::Outcome::Refused;
     return answer;
   };
-  return give({"the part's removal", OrderEffect::Other, "cell_controller", patience_s_, ask});
+  return lanes_.give({"the part's removal", OrderEffect::Other, kUnitNode, patience_s_, ask});
 }
 
 DeskAnswer RosDesk::startup(StartupCommand command, const std::string& step) {
@@ -444,8 +434,8 @@ DeskAnswer RosDesk::startup(StartupCommand command, const std::string& step) {
   call.request.command = static_cast<std::uint8_t>(command);
   call.request.step = step;
   const Label label = command == StartupCommand::Abort
-                          ? Label{"the start-up's abort", OrderEffect::Stops}
-                          : Label{"the start-up's next step", OrderEffect::Moves};
+                          ? Label{"the start-up's abort", OrderEffect::Stops, kStartupNode}
+                          : Label{"the start-up's next step", OrderEffect::Moves, kStartupNode};
   return callForStatus(label, names::kRunStartup, call);
 }
 
@@ -453,7 +443,7 @@ DeskAnswer RosDesk::setLoop(ShownLoopRequest request) {
   lamina_msgs::SetLoop call;
   call.request.request = static_cast<std::uint8_t>(request);
   const bool is_off = request == ShownLoopRequest::Off;
-  return callForStatus({"the loop's state", is_off ? OrderEffect::Other : OrderEffect::Moves},
+  return callForStatus({"the loop's state", is_off ? OrderEffect::Other : OrderEffect::Moves, kLoopNode},
                        names::kSetLoop, call);
 }
 

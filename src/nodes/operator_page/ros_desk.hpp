@@ -11,6 +11,7 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/web/cell_desk.hpp"
+#include "lamina/web/node_lanes.hpp"
 #include "lamina/web/order_lane.hpp"
 #include "lamina/web/program_preview.hpp"
 #include "messages.hpp"
@@ -60,8 +61,11 @@ class RosDesk final : public CellDesk {
   struct Label {
     std::string kind;
     OrderEffect effect = OrderEffect::Other;
+    const char* node = kUnitNode;
   };
-  DeskAnswer give(LaneOrder order);
+  static constexpr const char* kUnitNode = "cell_controller";
+  static constexpr const char* kStartupNode = "gcode_streamer";
+  static constexpr const char* kLoopNode = "height_controller";
   template <class Service>
   DeskAnswer callUnit(const Label& label, const char* name, const Service& call);
   template <class Service>
@@ -77,9 +81,8 @@ class RosDesk final : public CellDesk {
   ProgramPreview preview_{layersOf};
   ros::Publisher alarm_reports_;
   std::vector<ros::Subscriber> subscribers_;
-  // Orders that stop the unit wait behind no others; reading programs and slicing meshes takes minutes.
-  OrderLane stops_;
-  OrderLane orders_;
+  NodeLanes lanes_{{kUnitNode, kStartupNode, kLoopNode}};
+  // Reading programs and slicing meshes takes minutes.
   OrderLane programs_;
   OrderLane meshes_;
 };

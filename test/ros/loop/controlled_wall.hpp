@@ -106,10 +106,14 @@ class LiveWall {
     profile_ = node_.advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000);
     tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 1000);
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
-    publishLatched(toolpath_, toolpathMessage(printed));
+    toolpath = toolpathMessage(printed);
+    toolpath.header.stamp = now();
+    announce(toolpath);
     publishLatched(tf_static_, sensorMessage());
     waitUntilHeard();
   }
+
+  void announce(const lamina_msgs::Toolpath& message) { publishLatched(toolpath_, message); }
 
   void waitUntilHeard() {
     EXPECT_TRUE(waitUntil([this] {
@@ -139,6 +143,7 @@ class LiveWall {
   ros::Time now() const { return timeOf(now_ns_); }
 
   SensedWall printed;
+  lamina_msgs::Toolpath toolpath;  ///< as announced first
   std::int64_t no_tf_from_ns = std::numeric_limits<std::int64_t>::max();
 
  private:

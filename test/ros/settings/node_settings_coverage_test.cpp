@@ -163,7 +163,6 @@ const std::vector<TestedElsewhere>& nodeTests() {
 /// anybody safe.
 const std::vector<TestedElsewhere>& onlySet() {
   static const std::vector<TestedElsewhere> all = {
-      {"cell.patience_s", "ros/cell/operator_page_test.cpp", "_cell/patience_s"},
       {"deposit.period_s", "ros/machine/emulated_belt.test", "period_s: 0.1"},
       {"following.period_s", "ros/deposition/deposition_following.test", "following/period_s"},
       {"hosts.interval_s", "ros/hosts/host_watch_test.py", "_hosts/interval_s"}};

@@ -12,8 +12,8 @@ namespace {
 
 std::string pageFor(const SettingTexts& set) {
   const SiteSettings site = siteOf(settingsWith<OperatorPageSettings>(set), "page");
-  std::string text = numbersText(
-      {double(site.access.is_loopback_open), double(site.most_upload_bytes), double(site.upload_print)});
+  std::string text = numbersText({double(site.access.is_loopback_open), double(site.most_upload_bytes),
+                                  double(site.upload_print), site.patience_s});
   for (const std::string& host : site.access.hosts) text += host + "\n";
   return text;
 }
@@ -39,6 +39,7 @@ std::vector<SettingProbe> pageProbes() {
            {{"auth.loopback=token"},
             {"api.octoprint_print=release"},
             {"web.hosts=cell.example.org"},
+            {"cell.patience_s=2"},
             {"web.largest_upload_mb=1"}}},
           {"where the page listens",
            "",
