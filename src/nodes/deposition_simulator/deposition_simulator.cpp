@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <utility>
+#include <vector>
 
 #include "conversions.hpp"
 #include "deposit_messages.hpp"
@@ -27,6 +28,13 @@ struct AskedToolpath {
   std::string id;
   Toolpath toolpath;  ///< in coordinates of the bed
 };
+
+std::vector<SettingText> typedIn(const lamina_msgs::SimulateDepositionGoal& goal) {
+  std::vector<SettingText> typed;
+  typed.reserve(goal.settings.size());
+  for (const lamina_msgs::Setting& setting : goal.settings) typed.push_back({setting.key, setting.value});
+  return typed;
+}
 
 AskedToolpath fromProgram(const std::string& program, const SimulationSettings& settings) {
   AskedToolpath asked;
@@ -91,6 +99,7 @@ DepositionSimulator::Result DepositionSimulator::simulate(const Goal& goal, Prog
   SettingsSchema schema;
   describe(schema, settings);
   applyRequest(schema, goal.settings);
+  settings.reading.is_diameter_given = givesFilamentDiameter(typedIn(goal));
   AskedToolpath asked =
       goal.program.empty() ? fromLatched(latched(), goal.toolpath_id) : fromProgram(goal.program, settings);
   ROS_INFO_STREAM("laying toolpath " << asked.id << " of '" << asked.toolpath.part_name << "'");

@@ -126,6 +126,18 @@ TEST(SvgReader, TakesStyleSheetsForClassesAndElements) {
   EXPECT_NEAR(areaOf(".a{fill:none}.a{fill:red}", two), 10.0, 1e-6) << "of two rules the last";
   EXPECT_NEAR(areaOf(".a{fill:none}", "<rect class='a' style='fill:red' width='2' height='3'/>"), 6.0, 1e-6);
   EXPECT_NEAR(areaOf(".a{fill:none", two), 4.0, 1e-6) << "a rule without its end";
+  EXPECT_NEAR(areaOf(".a{fill:none !important;stroke:red}", two), 4.0, 1e-6);
+  EXPECT_NEAR(areaOf("@import url(a.css); .a{fill:none}", two), 4.0, 1e-6);
+  EXPECT_NEAR(areaOf(".a{fill:none}", "<rect class='x\n\ta' width='2' height='3'/>" + two), 4.0, 1e-6);
+}
+
+TEST(SvgReader, TakesNoStyleSheetThatIsEmptyOrWithinAComment) {
+  const std::string rect = "<rect class='a' width='2' height='3'/>";
+  EXPECT_NEAR(area(read("<!-- <style>.a{fill:none}</style> -->" + rect)), 6.0, 1e-6);
+  EXPECT_NEAR(
+      area(read("<style id='s'/>" + rect + "<style>.a{fill:none}</style>" + "<rect width='1' height='1'/>")),
+      1.0, 1e-6)
+      << "a sheet without text ends where it begins";
 }
 
 TEST(SvgReader, RefusesWhatItCannotTakeNamingTheLine) {

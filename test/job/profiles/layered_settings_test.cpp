@@ -177,6 +177,9 @@ TEST(ProfileSuggestion, IsTheProfileThatSomebodyMayHaveMeant) {
   EXPECT_EQ(likely("PLA"), "; did you mean 'pla'?");
   EXPECT_EQ(likely("Voron 2.4"), "; did you mean 'voron_2_4_250'?");
   EXPECT_EQ(likely("petgg"), "; did you mean 'petg'?");
+  // One letter differs; with the five separators it would be too many.
+  EXPECT_EQ(profileSuggestion({"a_b_c_d_1_2", "abxyz9"}, "ABCD-13"), "; did you mean 'a_b_c_d_1_2'?");
+  EXPECT_EQ(likely("Creality Ender 4"), "; did you mean 'creality_ender_3'?");
   EXPECT_EQ(likely("a"), "") << "in most names";
   EXPECT_EQ(likely("cheese"), "");
   EXPECT_EQ(likely("-"), "");

@@ -8,7 +8,9 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "conversions.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
@@ -159,6 +161,19 @@ TEST_F(DepositionSimulator, LaysPrograms) {
               1e-3 * toCubicMetres(without_skirt));
   EXPECT_NEAR(result.summary.model_volume, result.summary.extruded_volume, 8.0 * kVoxel);
   EXPECT_NEAR(result.summary.voxel, 0.2e-3, 1e-12) << "for this goal only";
+}
+
+/// 10 mm of filament of 2 mm are 10 pi mm3; of the 2.85 mm that the program states they would be 63.8 mm3.
+TEST_F(DepositionSimulator, TakesTheFilamentOfAGoalBeforeThatOfItsProgram) {
+  Goal goal;
+  goal.program = folder_.file("thick.gcode");
+  std::ofstream(goal.program) << "; filament_diameter = 2.85\nM83\nG90\nG1 X10 Y10 Z0.4 F6000\n;LAYER:0\n"
+                                 ";TYPE:WALL-OUTER\n;WIDTH:0.8\n;HEIGHT:0.4\nG1 X110 Y10 E10 F1200\n";
+  goal.settings = {settingMessage("program.filament_diameter_mm", "2"),
+                   settingMessage("deposition.voxel_mm", "0.2")};
+  const Result result = ask(goal);
+  ASSERT_EQ(result.status.code, Status::OK + 0) << result.status.message;
+  EXPECT_NEAR(result.summary.extruded_volume, toCubicMetres(10.0 * M_PI), toCubicMetres(0.01));
 }
 
 TEST_F(DepositionSimulator, RefusesWhatItCannotLay) {

@@ -101,14 +101,32 @@ TEST(StreamableProgram, IsNoBinaryFile) {
   EXPECT_THROW(program(std::string("\xFF\xFEG\x00", 4)), FileError);
 }
 
-/// Marlin runs "G1 x5 Y2" as a motion of Y alone, "g28" not at all, and of "G21 G90" the first, and says ok.
+/// Marlin runs "G1 x5 Y2" as a motion of Y alone, "G28 xy" for all axes, and of "G21 G90" the first, and says
+/// ok; "g28" it does not know.
 TEST(StreamableProgram, RefusesWordsThatMarlinPassesOver) {
   for (const char* text : {"g28\n", "m104 S200\n", "t1\n"})
     EXPECT_NE(refusalOf(text).find("begins with a small letter"), std::string::npos) << text;
-  for (const char* text : {"G1 x5 Y2\n", "G1 X5y2\n", "G28 x\n", "G92 e0\n", "M104 s200\n", "G1 X1e-3\n"})
-    EXPECT_NE(refusalOf(text).find("has a word with the small letter"), std::string::npos) << text;
-  for (const char* text : {"G21 G90\n", "G0 G90 X10\n", "G90G1X5\n", "G1 X5 M3\n"})
+  for (const char* text : {"G1 x5 Y2\n", "G1 X5y2\n", "G28 x\n", "G92 e0\n", "M104 s200\n", "G28 xy\n",
+                           "G28 Xy\n", "G28 xyz ; all\n", "G28 x // home\n"})
+    EXPECT_NE(refusalOf(text).find("has a word with a small letter"), std::string::npos) << text;
+  for (const char* text : {"G21 G90\n", "G0 G90 X10\n", "G90G1X5\n", "G1 X5 M3\n", "M104 S0 M140 S0\n",
+                           "M106 S0 M140 S0\n", "M104 S200 G28\n"})
     EXPECT_NE(refusalOf(text).find("has a second command"), std::string::npos) << text;
+}
+
+/// Marlin's numbers end at an E, which begins a word of its own: "X1E-05" moves X by 1.
+TEST(StreamableProgram, RefusesNumbersWithAnExponent) {
+  for (const char* text : {"G1 X1e-3\n", "G1 X1.e-3 Y2\n", "G1X2Y1.5e+2F600\n", "G1 X1E-05 Y20\n",
+                           "G1 X5 Y1.0E-5\n", "M221 S1e2\n"})
+    EXPECT_NE(refusalOf(text).find("has a number with an exponent; expected a plain decimal"),
+              std::string::npos)
+        << text;
+  EXPECT_EQ(program("G1X1E-3\nG1 X5Y3E-2\nG1 X5E-.2\nG1 X5E2\nG1 F1800 E-2\nG1 X5E-2F900\n").lines(), 6U)
+      << "words without blanks";
+}
+
+TEST(StreamableProgram, TakesTextBehindASlashOrAHash) {
+  EXPECT_EQ(program("G28 // home x and y\nG4 P500 # wait a bit\nG1 X5 // then G1 y6\n").lines(), 3U);
 }
 
 TEST(StreamableProgram, TakesSmallLettersOfTextsAndTheCommandBehindG53) {

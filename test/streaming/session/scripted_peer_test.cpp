@@ -114,59 +114,6 @@ TEST_F(ScriptedPeer, SaysWhatToDoWithAMachineThatHasHalted) {
             "acknowledged; a halted machine does not confirm the safe stop: see that it cools, and reset it");
 }
 
-/// A board that greets while its port is opened gets the question twice. Marlin sets its counter by `M110`
-/// when it reads it, and again when it runs it, behind all that was asked before.
-TEST_F(ScriptedPeer, SendsNoLineBeforeTheNumberingWasRun) {
-  Streamer streamer(program_, settings());
-  streamer.start(0.0);
-  streamer.receive("start\n", 0.1);
-  EXPECT_EQ(streamer.takeOutput(), "M115\nM115\n");
-  streamer.receive(kMarlin, 0.2);
-  EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
-  streamer.receive("Resend: 1\nok\n", 0.3);
-  for (double now = 0.4; now < 1.5; now += 0.1) streamer.elapse(now);
-  EXPECT_EQ(streamer.takeOutput(), "") << "a busy board has run neither the question nor M110";
-  streamer.receive("ok\n", 1.6);
-  EXPECT_EQ(streamer.takeOutput(), "");
-  streamer.receive("ok\n", 1.7);
-  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4));
-}
-
-TEST_F(ScriptedPeer, TakesNoLateOkForThatOfALine) {
-  StreamSettings lossy = settings();
-  lossy.link = LinkKind::Lossy;
-  lossy.temperature_interval_s = 1;
-  Streamer streamer(program_, lossy);
-  streamer.start(0.0);
-  streamer.elapse(5.0);  // the question is put again
-  streamer.takeOutput();
-  streamer.receive(kMarlin, 5.1);
-  EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
-  streamer.receive("Resend: 1\nok\n", 5.2);  // a wrong number is refused before what is queued is done
-  EXPECT_EQ(streamer.takeOutput(), "") << "two oks are still due";
-  streamer.receive("ok\n", 5.21);
-  EXPECT_EQ(streamer.takeOutput(), "");
-  streamer.receive("ok\n", 5.22);
-  EXPECT_EQ(streamer.takeOutput(), "M155 S1\n");
-  streamer.receive("ok\n", 5.23);
-  EXPECT_EQ(streamer.takeOutput(), line(1));
-  streamer.receive("ok\n", 5.24);
-  EXPECT_EQ(streamer.takeOutput(), line(2));
-  EXPECT_EQ(streamer.status().lines_acknowledged, 1U);
-}
-
-TEST_F(ScriptedPeer, GoesOnWithoutAnOkThatWasLost) {
-  Streamer streamer(program_, settings());
-  streamer.start(0.0);
-  streamer.receive(kMarlin, 0.0);
-  streamer.takeOutput();
-  streamer.receive("Resend: 1\nok\n", 0.1);
-  EXPECT_EQ(streamer.takeOutput(), "") << "the ok to M110 is due";
-  EXPECT_NEAR(streamer.nextDeadline(), 2.6, 1e-9);
-  for (int i = 0; i < 2; ++i) streamer.elapse(2.601);
-  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4));
-}
-
 TEST_F(ScriptedPeer, GivesUpWhenNobodyAnswers) {
   Streamer streamer(program_, settings());
   streamer.start(0.0);

@@ -17,19 +17,36 @@ std::string_view takeUntil(std::string_view& text, std::string_view mark) {
   return taken;
 }
 
-std::string withoutComments(std::string_view css) {
+std::string without(std::string_view text, std::string_view from, std::string_view to) {
   std::string kept;
-  while (!css.empty()) {
-    kept += takeUntil(css, "/*");
-    takeUntil(css, "*/");
+  while (!text.empty()) {
+    kept += takeUntil(text, from);
+    takeUntil(text, to);
   }
   return kept;
 }
 
 bool hasClass(std::string_view classes, std::string_view name) {
-  for (classes = trimmed(classes); !classes.empty(); classes = trimmed(classes))
-    if (takeUntil(classes, " ") == name) return true;
+  constexpr std::string_view kBlanks = " \t\n\r\f";
+  while (!classes.empty()) {
+    const std::size_t end = std::min(classes.find_first_of(kBlanks), classes.size());
+    if (classes.substr(0, end) == name) return true;
+    classes.remove_prefix(std::min(end + 1, classes.size()));
+  }
   return false;
+}
+
+/// Selectors behind statements that have no block, such as `@import`.
+std::string_view behindStatements(std::string_view selectors) {
+  const std::size_t end = selectors.rfind(';');
+  return end == std::string_view::npos ? selectors : selectors.substr(end + 1);
+}
+
+/// The text of a `style` element, without what most drawing programs mark it by as text.
+std::string sheetIn(std::string_view text) {
+  if (const std::size_t mark = text.find("<![CDATA["); mark != std::string_view::npos)
+    text = text.substr(mark + 9);
+  return without(text, "/*", "*/");
 }
 
 }  // namespace
@@ -37,28 +54,26 @@ bool hasClass(std::string_view classes, std::string_view name) {
 std::string declaredIn(std::string_view declarations, std::string_view key) {
   while (!declarations.empty()) {
     std::string_view value = takeUntil(declarations, ";");
-    if (trimmed(takeUntil(value, ":")) == key) return std::string(trimmed(value));
+    if (trimmed(takeUntil(value, ":")) == key) return std::string(trimmed(takeUntil(value, "!")));
   }
   return "";
 }
 
 StyleSheet::StyleSheet(std::string_view svg) {
-  takeUntil(svg, "<style");
-  while (!svg.empty()) {
-    takeUntil(svg, ">");
-    const std::string css = withoutComments(takeUntil(svg, "</style"));
-    std::string_view rules = css;
-    // Most drawing programs mark it as text.
-    if (const std::size_t mark = rules.find("<![CDATA["); mark != std::string_view::npos)
-      rules.remove_prefix(mark + 9);
-    read(rules);
-    takeUntil(svg, "<style");
+  const std::string shown = without(svg, "<!--", "-->");
+  std::string_view rest = shown;
+  takeUntil(rest, "<style");
+  while (!rest.empty()) {
+    const std::string_view tag = takeUntil(rest, ">");
+    const bool is_empty = !tag.empty() && tag.back() == '/';
+    if (!is_empty) read(sheetIn(takeUntil(rest, "</style")));
+    takeUntil(rest, "<style");
   }
 }
 
 void StyleSheet::read(std::string_view css) {
   while (!css.empty()) {
-    std::string_view selectors = takeUntil(css, "{");
+    std::string_view selectors = behindStatements(takeUntil(css, "{"));
     const std::string_view declarations = takeUntil(css, "}");
     while (!selectors.empty())
       rules_.push_back({std::string(trimmed(takeUntil(selectors, ","))), std::string(declarations)});

@@ -8,12 +8,13 @@
 
 namespace lamina {
 
-/// The value of a key among declarations as "fill:none;stroke:#000"; empty if they have none.
+/// The value of a key among declarations as "fill:none;stroke:#000", without "!important"; empty if they have
+/// none.
 std::string declaredIn(std::string_view declarations, std::string_view key);
 
 /// The rules in the `style` elements of a drawing whose selector is a class (".cls-1") or the name of an
 /// element
-/// ("path"). Others are ignored.
+/// ("path"). Others are ignored, and so is what XML comments hold.
 class StyleSheet {
  public:
   StyleSheet() = default;
@@ -22,7 +23,7 @@ class StyleSheet {
 
   /// What the last rule that has the key states, of one of the classes before those of the element; empty if
   /// none does.
-  /// @param classes  names with blanks between them
+  /// @param classes  names with blanks, tabs or ends of lines between them
   std::string property(std::string_view element, std::string_view classes, std::string_view key) const;
 
  private:

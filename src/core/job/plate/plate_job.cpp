@@ -97,6 +97,7 @@ void requireInclinable(const JobSettings& settings) {
 /// Where parts stand beside each other, a brim along the feet of one's layers may reach the layers of
 /// another.
 void requireNoFootBrims(const std::vector<PlateItem>& items) {
+  if (items.size() < 2) return;
   for (const PlateItem& item : items) {
     const double brim_mm = item.settings.planning.adhesion.brim.width_mm;
     if (isInclined(item.settings) && brim_mm > 0.0)

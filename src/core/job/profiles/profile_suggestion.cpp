@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/profiles/profile_suggestion.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 #include "lamina/base/edit_distance.hpp"
@@ -28,12 +29,23 @@ std::string bareOf(std::string_view name) {
 
 std::string profileSuggestion(const std::vector<std::string>& names, const std::string& given) {
   const std::string bare = bareOf(given);
+  if (bare.empty()) return "";
   const std::string* held = nullptr;
-  for (const std::string& name : names)
-    if (bare.size() >= kLeastHeld && bareOf(name).find(bare) != std::string::npos &&
+  const std::string* nearest = nullptr;
+  std::size_t least = 0;
+  for (const std::string& name : names) {
+    const std::string bare_name = bareOf(name);
+    if (bare.size() >= kLeastHeld && bare_name.find(bare) != std::string::npos &&
         (held == nullptr || name.size() < held->size()))
       held = &name;
-  return held != nullptr ? "; did you mean '" + *held + "'?" : suggestionFor(names, bare);
+    const std::size_t distance = editDistance(bare_name, bare);
+    const bool is_like = 2 * distance <= std::max(bare_name.size(), bare.size());
+    if (!is_like || (nearest != nullptr && distance >= least)) continue;
+    nearest = &name;
+    least = distance;
+  }
+  if (held != nullptr) nearest = held;
+  return nearest != nullptr ? "; did you mean '" + *nearest + "'?" : "";
 }
 
 }  // namespace lamina

@@ -40,27 +40,59 @@ bool hasWordsOnly(std::string_view command) {
   return command[0] == 'G' || isAnyCommand(command, kCommands);
 }
 
-/// Marlin passes over what it looks for in no line, in silence: `G1 x5 Y2` moves Y alone, and of `G21 G90` it
-/// runs the first.
+bool isNumberAt(std::string_view command, std::size_t at) {
+  return at < command.size() &&
+         (isDigit(command[at]) || command[at] == '-' || command[at] == '+' || command[at] == '.');
+}
+
+/// Whether the E behind a number is its exponent. "G1X1E-3" may be two words without a blank between them,
+/// "G1 X1E-3" is hardly.
+/// @param word  where the word with the number begins
+bool isExponentAt(std::string_view command, std::size_t word, std::size_t at) {
+  if (!isDigit(command[at - 1]) && command[at - 1] != '.') return false;
+  if (command[at] == 'e') return isNumberAt(command, at + 1);
+  if (command[at] != 'E' || word == 0 || !isBlank(command[word - 1])) return false;
+  if (at + 1 == command.size() || (command[at + 1] != '-' && command[at + 1] != '+')) return false;
+  const std::string_view power = command.substr(at + 2);
+  const std::size_t digits = std::min(power.find_first_not_of("0123456789"), power.size());
+  return digits > 0 && (digits == power.size() || isBlank(power[digits]));
+}
+
+/// Whether a word has a small letter where Marlin looks for a capital: "x5", "x", or "xy" in `G28 xy`.
+bool isSmallWordAt(std::string_view command, std::size_t at) {
+  constexpr std::string_view kAxes = "XYZE";
+  std::size_t end = at;
+  bool has_small = false;
+  bool is_of_axes = true;
+  for (; end < command.size() && isLetter(command[end]); ++end) {
+    has_small = has_small || command[end] != upper(command[end]);
+    is_of_axes = is_of_axes && kAxes.find(upper(command[end])) != std::string_view::npos;
+  }
+  if (!has_small) return false;
+  const bool is_alone = end == command.size() || isBlank(command[end]);
+  return (is_of_axes || end == at + 1) && (is_alone || isNumberAt(command, end));
+}
+
+/// Marlin passes over what it looks for in no line, in silence: `G1 x5 Y2` moves Y alone, of `G21 G90` it
+/// runs the first, and `G1 X1E-3` moves X by 1. It answers a line that begins with a small letter with
+/// "Unknown command".
 std::string defectOfWords(std::string_view command) {
-  const auto isNumberAt = [&](std::size_t at) {
-    return at < command.size() &&
-           (isDigit(command[at]) || command[at] == '-' || command[at] == '+' || command[at] == '.');
-  };
   constexpr std::string_view kCodes = "gmt";
-  if (kCodes.find(command[0]) != std::string_view::npos && isNumberAt(1))
+  if (kCodes.find(command[0]) != std::string_view::npos && isNumberAt(command, 1))
     return "begins with a small letter, which Marlin does not know; expected capitals";
   if (!hasWordsOnly(command)) return {};
   const bool may_precede = isCommand(command, "G53");  // the command that it is for
-  for (std::size_t at = 1; at < command.size(); ++at) {
-    if (command[at] == '"') return {};
+  const std::size_t end = std::min(command.find_first_of("\"/#"), command.size());  // where a text begins
+  std::size_t word = 0;
+  for (std::size_t at = 1; at < end; ++at) {
     if (!isLetter(command[at]) || isLetter(command[at - 1])) continue;
-    const bool is_alone = at + 1 == command.size() || isBlank(command[at + 1]);
-    if (command[at] != upper(command[at]) && (is_alone || isNumberAt(at + 1)))
-      return "has a word with the small letter '" + std::string(1, command[at]) +
+    if (isExponentAt(command, word, at)) return "has a number with an exponent; expected a plain decimal";
+    word = at;
+    if (isSmallWordAt(command, at))
+      return "has a word with a small letter at '" + std::string(1, command[at]) +
              "', which Marlin passes over; expected capitals";
-    const bool is_code = command[at] == 'G' || (command[at] == 'M' && command[0] == 'G');
-    if (is_code && isNumberAt(at + 1) && !may_precede)
+    const bool is_code = command[at] == 'G' || command[at] == 'M';
+    if (is_code && isNumberAt(command, at + 1) && !may_precede)
       return "has a second command, which Marlin passes over; expected one on each line";
   }
   return {};

@@ -50,6 +50,7 @@ bool MarlinJob::isWaiting() const {
 }
 
 double MarlinJob::silenceLimit() const {
+  if (phase_ == Phase::Confirming) return kNever;  // which ends by itself
   if (record_.status.state == PackmlState::Starting) return settings_.connect_timeout_s;
   const bool is_blocked = phase_ == Phase::Draining || resend_.hasBlocking();
   return is_blocked ? settings_.blocking_timeout_s : settings_.silence_timeout_s;

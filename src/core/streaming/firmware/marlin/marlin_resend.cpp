@@ -12,6 +12,12 @@ namespace {
 constexpr int kMostRefusals = 100;
 constexpr int kMostOddRequests = 5;
 
+/// Whether the firmware runs a command: it says so, or reports temperatures with the time for which it goes
+/// on waiting for them ("W:?"). Reports without it come at intervals, while it is idle too.
+bool isRunningCommand(const FirmwareReply& reply) {
+  return reply.kind == ReplyKind::Busy || (reply.temperatures && reply.text.find(" W:") != std::string::npos);
+}
+
 }  // namespace
 
 MarlinResend::MarlinResend(const StreamSettings& settings) : settings_(settings) {
@@ -52,6 +58,8 @@ bool MarlinResend::hear(const FirmwareReply& reply, double now) {
   proof_.hear(reply);
   const bool is_answer = reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning;
   if (isWaiting() && is_answer) wait_until_ = std::max(wait_until_, now + settings_.settle_s);
+  if (isWaiting() && waits_for_oks_ && isRunningCommand(reply))
+    wait_until_ = std::max(wait_until_, now + waitForLostOk());
   return std::exchange(expects_ok_of_request_, false) && reply.kind == ReplyKind::Ok;
 }
 
@@ -86,7 +94,7 @@ std::string MarlinResend::follow(std::uint64_t wanted) {
 void MarlinResend::refuse(std::uint64_t wanted, double now) {
   sent_.refuse(wanted);
   must_send_one_ = true;
-  wait_until_ = now + settings_.settle_s;
+  waitFor(1, now);
 }
 
 void MarlinResend::allRead(double now) {

@@ -50,11 +50,16 @@ class MarlinResend {
   bool hasUnansweredProbe() const { return unanswered_probes_ > 0; }
 
   /// Begins a wait for `answers` due answers, any of which may be lost; no wait if 0.
-  void waitFor(int answers, double now) { wait_until_ = answers > 0 ? now + settings_.settle_s : 0.0; }
+  void waitFor(int answers, double now) {
+    waits_for_oks_ = false;
+    wait_until_ = answers > 0 ? now + settings_.settle_s : 0.0;
+  }
   /// Begins a wait for the oks to commands without number: `M110` counts once more when it is run, and would
-  /// set back a counter that goes by lines already.
+  /// set back a counter that goes by lines already. The wait begins anew whenever the firmware says that it
+  /// runs a command.
   void waitForOks(int answers, double now) {
-    wait_until_ = answers > 0 ? now + std::max(settings_.settle_s, settings_.probe_after_s) : 0.0;
+    waits_for_oks_ = true;
+    wait_until_ = answers > 0 ? now + waitForLostOk() : 0.0;
   }
   void waitNoLonger() { wait_until_ = 0.0; }
   /// Whether nothing may be sent.
@@ -92,6 +97,8 @@ class MarlinResend {
   void allRead(double now);
 
  private:
+  double waitForLostOk() const { return std::max(settings_.settle_s, settings_.probe_after_s); }
+
   StreamSettings settings_;
   SentLines sent_;
   LineProof proof_;
@@ -101,6 +108,7 @@ class MarlinResend {
   bool must_send_one_ = false;
   /// Time until which nothing is sent, as stale lines may be answered; 0 if none is stale.
   double wait_until_ = 0.0;
+  bool waits_for_oks_ = false;  ///< whether that wait is one for oks to commands without number
   std::uint64_t rewound_to_ = 0;
   int unanswered_probes_ = 0;
   int refusals_in_a_row_ = 0;
