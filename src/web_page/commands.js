@@ -37,20 +37,10 @@ async function next() {
   const [command] = step;
   const seen = sequence();
   if (command !== "Start" || !state.unit.resume_waits) return give(command, seen);
-  const refusal = state.unit.resume_refusal;
-  // What stands against it may go by, as a machine that still moves: the step of the place waits with the reason.
-  if (!refusal || state.unit.resume_steps?.length) {
-    const { choice, confirmed, begin } = await walkThrough(jobName());
-    const looked = choice === "resume" && { confirmed, confirmed_begin_mm: begin };
-    if (choice) await give("Start", { ...seen, cut_off: choice, ...looked });
-    return undefined;
-  }
-  const choice = await ask({
-    title: texts.start_title,
-    text: texts.start_refused(jobName(), refusal),
-    answers: [{ value: "discard", label: texts.discard, kind: "stop" }],
-  });
-  if (choice) await give("Start", { ...seen, cut_off: choice });
+  // What stands against it is shown by the step of the place, which waits for it.
+  const { choice, confirmed, begin } = await walkThrough(jobName());
+  const looked = choice === "resume" && { confirmed, confirmed_begin_mm: begin };
+  if (choice) await give("Start", { ...seen, cut_off: choice, ...looked });
   return undefined;
 }
 

@@ -27,7 +27,10 @@ function leftText(left) {
 /** What becomes of a job that was cut off, once the unit is at rest. */
 function cutOffHint(unit) {
   if (!unit.resume_waits || !["Stopped", "Idle"].includes(unit.state)) return "";
-  return unit.resume_refusal ? texts.cannot_resume(unit.resume_refusal) : texts.can_resume;
+  const refusal = unit.resume_refusal;
+  if (!refusal) return texts.can_resume;
+  // Of what never goes by, as motions that are lost, the unit says that the job is to be discarded.
+  return /discard (the|its) job/.test(refusal) ? texts.cannot_resume(refusal) : texts.resume_waits(refusal);
 }
 
 export function showState(state, layers) {

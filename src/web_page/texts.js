@@ -79,10 +79,9 @@ export const texts = {
     `The machine stops as fast as it can, the nozzle may stay in the part, and ${job} may be lost. Faults have to be cleared afterwards.`,
   this_job: "the job",
   not_emergency: "This is no emergency stop.",
-  start_title: "A job was cut off",
   can_resume: "A job was cut off: Start goes through the steps of resuming it, or discards it.",
-  cannot_resume: (reason) => `A job was cut off, and is not resumed as it is now: ${reason}. Start shows what is waited for, or discards it.`,
-  start_refused: (job, reason) => `${job} was interrupted and cannot be resumed now: ${reason}. Discard it and print the next one?`,
+  cannot_resume: (reason) => `A job was cut off and can only be discarded: ${reason}.`,
+  resume_waits: (reason) => `A job was cut off, and is not resumed as it is now: ${reason}. Start shows what is waited for, or discards it.`,
   resume_title: "Resume the job",
   resume_text: (job) => `${job} was cut off. Before material flows again, all of this has to be so. Look at the machine, and confirm what only you can see.`,
   resume_steps: {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -228,6 +229,8 @@ TEST(ProductionCell, DiscardsACutOffJobAndPrintsTheNext) {
   cell.run().confirmRemoval("anna", cell.now);
   ASSERT_EQ(cell.run().againstResuming().size(), 1U);
   EXPECT_EQ(cell.run().againstResuming().front().code, 1311);
+  EXPECT_NE(cell.run().againstResuming().front().sentence.find("discard its job"), std::string::npos)
+      << "by this the page tells it from what goes by";
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Resume), CommandResult::GuardFailed)
       << "and now it is not";
   EXPECT_EQ(cell.command(UnitCommand::Start, CutOffJob::Discard), CommandResult::Accepted);
@@ -284,6 +287,15 @@ TEST(ProductionCell, KeepsThePlaceOfAResumedJobThatItAdoptsOnItsWay) {
 TEST(ProductionCell, TakesNothingBackThatWasHandedOver) {
   const ExecutionProgress now = furthest({7, 0, -1, 0.0, 0.0}, {0, 0, -1, 0.0, 0.0});
   EXPECT_EQ(now.sent_through, 7U);
+}
+
+/// What was laid before the length was lost is no measure of the part.
+TEST(ProductionCell, KeepsNoPartOfALengthThatIsNotKnownAnyMore) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ExecutionProgress now = furthest({7, 5, 0, 120.0, 30.0}, {8, 6, 0, nan, nan});
+  EXPECT_EQ(now.path_mm, 0.0);
+  EXPECT_EQ(now.deposited_mm3, 0.0);
+  EXPECT_EQ(now.taken_through, 6U);
 }
 
 TEST(ProductionCell, StartsNoJobWhoseFileHasChanged) {

@@ -222,6 +222,31 @@ TEST(FeederLead, LeadsAMapByPlaces) {
       << "how short a path of one station is asks for no denser ones elsewhere";
 }
 
+TEST(FeederLead, LeadsPathsOfOneStationByTheSpacingThatTheyState) {
+  const ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0}, 100.0);
+  const CorrectionMap stated{"part", 4, 1, {{0, 1.0, {{0.0, 0.0, 0.0}}}, {2, 1.0, {{0.1, 0.0, 0.0}}}}};
+  // At 10 mm/s, a dead time of 1.5 s: the amount of the second path is due over the last 15 mm of the first.
+  const CorrectionMap led = ledMap(stated, layer, {1.5, 0.0}, LoopSettings());
+  ASSERT_EQ(led.paths[0].stations.size(), 100U);
+  EXPECT_NEAR(correctionAt(led.paths[0], 50.0).amount, 0.0, 1e-9);
+  EXPECT_NEAR(correctionAt(led.paths[0], 99.0).amount, 0.1, 1e-9);
+  const CorrectionMap whole{"part", 4, 1, {{0, 100.0, {{0.0, 0.0, 0.0}}}, {2, 100.0, {{0.1, 0.0, 0.0}}}}};
+  EXPECT_EQ(ledMap(whole, layer, {1.5, 0.0}, LoopSettings()).paths[0].stations.size(), 1U);
+}
+
+TEST(FeederLead, RefusesToDivideALayerIntoMoreCellsThanFit) {
+  const ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0}, 5000.0);
+  const CorrectionMap dense{"part", 4, 1, {{0, 0.001, {{}, {0.1, 0.0, 0.0}}}}};
+  try {
+    ledMap(dense, layer, {1.5, 0.0}, LoopSettings());
+    ADD_FAILURE() << "ten million cells";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(),
+                 "correction of layer 4: its 10000 mm of beads, divided by 0.001 mm between stations, are "
+                 "1e+07 cells; expected at most 2e+06");
+  }
+}
+
 TEST(PressedLaw, FillsWhatIsMissingWithinItsRange) {
   const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
   const std::vector<double> gain(cells.size(), 1.0);

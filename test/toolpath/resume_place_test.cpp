@@ -58,20 +58,19 @@ TEST(ResumePlace, NeverGoesBackBeyondItsBead) {
 
 TEST(ResumePlace, IsRefusedIfAPersonHasConfirmedAnotherOne) {
   const ResumePlace place = placeOf(12.0, Point3(10, 7, 0.2));  // begins after 15 mm
-  const ToolpathResumeSettings settings{2.0, 0.5};
-  EXPECT_NO_THROW(requireConfirmed(place, 15.4, settings));
-  EXPECT_NO_THROW(requireConfirmed(place, 14.6, settings));
+  EXPECT_NO_THROW(requireConfirmed(place, 15.4));
+  EXPECT_NO_THROW(requireConfirmed(place, 14.6));
   try {
-    requireConfirmed(place, 12.25, settings);
+    requireConfirmed(place, 12.25);
     ADD_FAILURE() << "it begins elsewhere";
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(
         error.what(),
         "the job would begin after 15 mm of its beads, and a person has confirmed 12.25 mm; expected the "
-        "same to 0.5 mm (resume.tolerance_mm): look at the place, and confirm it anew");
+        "same to 0.5 mm: look at the place, and confirm it anew");
   }
-  EXPECT_THROW(requireConfirmed(place, 15.6, settings), InvalidInput);
-  EXPECT_THROW(requireConfirmed(place, std::nan(""), settings), InvalidInput);
+  EXPECT_THROW(requireConfirmed(place, 15.6), InvalidInput);
+  EXPECT_THROW(requireConfirmed(place, std::nan("")), InvalidInput);
 }
 
 TEST(ResumePlace, KnowsAJobThatIsDone) {

@@ -287,6 +287,11 @@ def check_resume_only_where_it_can_be_done(page, cell):
     page.wait(lambda: not page.script("return document.getElementById('resume').open"), "the steps are closed")
     require(cell.commands == [], f"going back has given {cell.commands}")
 
+    # What never goes by, in the words of the unit.
+    cell.resume_refusal = "the part that was cut off was taken away; discard its job"
+    page.wait(lambda: "can only be discarded: the part" in page.text("#state-detail"), "nothing is said to be waited for")
+    cell.resume_refusal = ""
+
 
 def check_resume_from_the_place_that_was_confirmed(page, cell):
     """The command says where the job begins that a person has looked at; a place that becomes another one is looked at anew."""

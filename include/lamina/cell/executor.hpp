@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -27,15 +28,16 @@ inline bool isAtRest(ExecutorPhase phase) {
   return phase == ExecutorPhase::Resting || phase == ExecutorPhase::Done;
 }
 
-/// What was taken or laid is not taken back.
+/// What was taken or laid is not taken back. What is not known any more (NaN) counts as not measured: 0.
 inline ExecutionProgress furthest(const ExecutionProgress& before, ExecutionProgress now) {
   if (now.taken_through < before.taken_through) {
     now.taken_through = before.taken_through;
     now.layer = before.layer;
   }
   now.sent_through = std::max(now.sent_through, before.sent_through);
-  now.path_mm = std::max(now.path_mm, before.path_mm);
-  now.deposited_mm3 = std::max(now.deposited_mm3, before.deposited_mm3);
+  now.path_mm = std::isfinite(now.path_mm) ? std::max(now.path_mm, before.path_mm) : 0.0;
+  now.deposited_mm3 =
+      std::isfinite(now.deposited_mm3) ? std::max(now.deposited_mm3, before.deposited_mm3) : 0.0;
   return now;
 }
 

@@ -49,9 +49,10 @@ ExpectedBeginning expectedBeginning(const LayerCells& cells, const std::vector<d
                                     double dead_time_s);
 
 /// The map of a layer with its amounts led as by `ledCorrection`, without what it expects of the layer above.
-/// All paths get the least spacing of stations that the map has, leaving out paths of one station. Paths that
-/// `layerCells` gives no cells stay unchanged. Without delay the result is `map`.
-/// @throws InvalidInput as `validate`
+/// All paths get the least spacing of stations that the map has, leaving out that of paths of one station
+/// which is as long as they are. Paths that `layerCells` gives no cells stay unchanged. Without delay the
+/// result is `map`.
+/// @throws InvalidInput as `validate`, or if the layer had more than 2 million cells so
 CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
                      const LoopSettings& settings);
 

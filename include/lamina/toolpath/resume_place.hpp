@@ -53,8 +53,8 @@ ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported
                         const ToolpathResumeSettings& settings);
 
 /// @param begin_mm  where a person has confirmed that the job begins, as `ResumePlace::begin_mm`
-/// @throws InvalidInput with both lengths if it begins elsewhere by more than `tolerance_mm`
-void requireConfirmed(const ResumePlace& place, double begin_mm, const ToolpathResumeSettings& settings);
+/// @throws InvalidInput with both lengths if it begins elsewhere by more than `kConfirmedPlace`
+void requireConfirmed(const ResumePlace& place, double begin_mm);
 
 /// What is known and what is not, for who decides whether it is resumed.
 std::string toText(const ResumePlace& place);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/confirmed_place.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/base/text.hpp"
 
@@ -12,7 +13,6 @@ namespace lamina {
 namespace {
 
 constexpr char kPlace[] = "place";
-constexpr double kSamePlace = 0.5;  // mm of bead: what a robot at rest reports varies less
 
 ResumeStep linkStep(const ResumeConditions& found) {
   if (!found.is_executor_there)
@@ -59,11 +59,11 @@ std::vector<std::string> unconfirmed(const std::vector<ResumeStep>& steps,
     if (std::find(names.begin(), names.end(), step.name) == names.end()) {
       sentences.push_back("a person has to confirm '" + step.name + "': " + step.text);
     } else if (step.begin_mm && confirmed.begin_mm &&
-               !(std::abs(*step.begin_mm - *confirmed.begin_mm) <= kSamePlace)) {
+               !(std::abs(*step.begin_mm - *confirmed.begin_mm) <= kConfirmedPlace)) {
       sentences.push_back("the '" + step.name + "' that was confirmed begins after " +
                           numberText(*confirmed.begin_mm) + " mm of beads, the job now after " +
-                          numberText(*step.begin_mm) + " mm; expected the same to " + numberText(kSamePlace) +
-                          " mm: look at it, and confirm it anew");
+                          numberText(*step.begin_mm) + " mm; expected the same to " +
+                          numberText(kConfirmedPlace) + " mm: look at it, and confirm it anew");
     } else if (step.name == kPlace && confirmed.begin_mm && !step.begin_mm) {
       sentences.push_back(
           "the '" + step.name + "' that was confirmed begins after " + numberText(*confirmed.begin_mm) +

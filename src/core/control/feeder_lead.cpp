@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/number_text.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kUndivided = 1e9;  // mm: longer than any path
+constexpr double kUndivided = 1e9;         // mm: longer than any path
+constexpr double kOwnLength = 1.0 - 1e-6;  // of a path: what lengths that were written and read differ by
+constexpr double kMostCells = 2e6;         // of a layer: 2 km of bead at 1 mm, in about 250 MB
 
 const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
   const auto found = std::find_if(map.paths.begin(), map.paths.end(),
@@ -16,13 +22,31 @@ const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
   return found == map.paths.end() ? nullptr : &*found;
 }
 
-/// The least spacing of stations. That of a path of one station is its length, however short, and asks for no
-/// denser ones elsewhere.
-double densestStation(const CorrectionMap& map) {
+double lengthOf(const LayerCells& undivided, std::size_t path) {
+  for (const CellRun& run : undivided.runs)
+    if (run.path == path) return run.length_mm;
+  return 0.0;
+}
+
+/// The least spacing of stations. Where a path of one station has its own length, however short, that asks
+/// for no denser ones elsewhere.
+double densestStation(const CorrectionMap& map, const LayerCells& undivided) {
   double least = kUndivided;
   for (const PathCorrection& path : map.paths)
-    if (path.stations.size() > 1) least = std::min(least, path.spacing_mm);
+    if (path.stations.size() > 1 || path.spacing_mm < kOwnLength * lengthOf(undivided, path.path))
+      least = std::min(least, path.spacing_mm);
   return least;
+}
+
+/// Two stations on one path may be as dense as a map can be, and the whole layer is divided so.
+void requireFewCells(const LayerCells& undivided, double cell_mm) {
+  double length_mm = 0.0;
+  for (const CellRun& run : undivided.runs) length_mm += run.length_mm;
+  if (length_mm / cell_mm <= kMostCells) return;
+  throw InvalidInput("correction of layer " + std::to_string(undivided.layer) + ": its " +
+                     numberText(length_mm) + " mm of beads, divided by " + numberText(cell_mm) +
+                     " mm between stations, are " + numberText(std::round(length_mm / cell_mm)) +
+                     " cells; expected at most " + numberText(kMostCells));
 }
 
 /// The same once more, as the layer above is taken to begin as this one does.
@@ -124,7 +148,10 @@ CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const
                      const LoopSettings& settings) {
   validate(map);
   if (isPrompt(feeder) || map.paths.empty()) return map;
-  const LayerCells cells = layerCells(layer, map.layer, densestStation(map));
+  const LayerCells undivided = layerCells(layer, map.layer, kUndivided);
+  const double cell_mm = densestStation(map, undivided);
+  requireFewCells(undivided, cell_mm);
+  const LayerCells cells = layerCells(layer, map.layer, cell_mm);
   CellCorrections corrections;
   for (const CellRun& run : cells.runs) {
     const PathCorrection* const path = correctionOf(map, run.path);

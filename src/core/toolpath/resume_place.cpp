@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/base/confirmed_place.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/number_text.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
@@ -51,12 +52,12 @@ ResumePlace resumePlace(const LaidBeads& beads, const ReportedProgress& reported
   return place;
 }
 
-void requireConfirmed(const ResumePlace& place, double begin_mm, const ToolpathResumeSettings& settings) {
-  if (std::abs(place.begin_mm - begin_mm) <= settings.tolerance_mm) return;
+void requireConfirmed(const ResumePlace& place, double begin_mm) {
+  if (std::abs(place.begin_mm - begin_mm) <= kConfirmedPlace) return;
   throw InvalidInput("the job would begin after " + numberText(place.begin_mm) +
                      " mm of its beads, and a person has confirmed " + numberText(begin_mm) +
-                     " mm; expected the same to " + numberText(settings.tolerance_mm) +
-                     " mm (resume.tolerance_mm): look at the place, and confirm it anew");
+                     " mm; expected the same to " + numberText(kConfirmedPlace) +
+                     " mm: look at the place, and confirm it anew");
 }
 
 std::string toText(const ResumePlace& place) {

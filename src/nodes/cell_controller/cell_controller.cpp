@@ -235,10 +235,9 @@ bool CellController::onCommand(lamina_msgs::PackmlCommand::Request& request,
                                lamina_msgs::PackmlCommand::Response& response) {
   using Request = lamina_msgs::PackmlCommand::Request;
   const auto command = unitCommand(request.command);
-  if (!command || request.cut_off > Request::DISCARD) {
+  if (const std::string fault = faultOf(request); !fault.empty() || !command) {
     response.result = numberOf(CommandResult::BadValue);
-    response.message = "command " + std::to_string(request.command) + " with cut_off " +
-                       std::to_string(request.cut_off) + " is not known; expected 1 to 10, and 0 to 2";
+    response.message = fault;
     return true;
   }
   for (const lamina_msgs::PlcInputs& said : request.plc) plc_.hear(said);

@@ -55,6 +55,16 @@ lamina_msgs::ResumeStep toMessage(const ResumeStep& step) {
   return message;
 }
 
+std::string faultOf(const lamina_msgs::PackmlCommand::Request& request) {
+  using Request = lamina_msgs::PackmlCommand::Request;
+  if (!unitCommand(request.command) || request.cut_off > Request::DISCARD)
+    return "command " + std::to_string(request.command) + " with cut_off " + std::to_string(request.cut_off) +
+           " is not known; expected 1 to 10, and 0 to 2";
+  if (request.confirmed_length.size() <= 1) return {};
+  return "confirmed_length has " + std::to_string(request.confirmed_length.size()) +
+         " numbers; expected one at most";
+}
+
 ResumeConfirmation confirmationOf(const lamina_msgs::PackmlCommand::Request& request) {
   ResumeConfirmation confirmed;
   confirmed.steps = request.confirmed;

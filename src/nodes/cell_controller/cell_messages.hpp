@@ -21,6 +21,8 @@ double fractionOf(const ExecutorReport& report);
 
 lamina_msgs::CellAlarm toMessage(const ActiveAlarm& alarm);
 lamina_msgs::ResumeStep toMessage(const ResumeStep& step);
+/// Why a command has a value that it cannot have; empty if it has none.
+std::string faultOf(const lamina_msgs::PackmlCommand::Request& request);
 /// What a person has confirmed of a resume, by the command that asks for it.
 ResumeConfirmation confirmationOf(const lamina_msgs::PackmlCommand::Request& request);
 /// Guards of what a person has to confirm of a resume and has not.

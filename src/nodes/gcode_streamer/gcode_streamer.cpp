@@ -29,6 +29,10 @@ constexpr double kFeedbackPeriod = 0.1;  // s
 constexpr double kHoldStep = 0.01;       // s between looks whether the job holds, or has ended
 constexpr int kHoldSteps = 100;          // a session takes what is asked of it far sooner
 
+/// Lines that are counted in one look: a job that is resumed has millions behind it, and must hear of its
+/// end.
+constexpr std::uint64_t kCountedAtOnce = 10000;
+
 /// Of a job that was done before anybody heard of it.
 StreamStatus completeStatus(const StreamableProgram& program) {
   StreamStatus status;
@@ -269,11 +273,12 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobS
     ROS_WARN("nobody listens at %s: no watch stops the machine if this node dies",
              settings_.guard_socket.c_str());
   return follow(*session, [&](const StreamStatus& now) {
-    publishProgress(now, laid.through(now.lines_acknowledged));
     watchStartup(*session, now);
     if (!execution.empty()) holdWithoutOwner(*session);
     if (corrected) reports_.tell(*corrected);
     if (recorded) reports_.tell(*recorded, now.layer);
+    const std::uint64_t most = session->waitFor(0.0) ? now.lines_acknowledged : kCountedAtOnce;
+    publishProgress(now, laid.through(now.lines_acknowledged, most));
   });
 }
 

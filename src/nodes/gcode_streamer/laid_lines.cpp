@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <deque>
 #include <mutex>
 #include <sstream>
@@ -72,15 +73,16 @@ std::optional<std::string> LaidLines::nextCommand() {
   return std::move(line->command);
 }
 
-const LaidFilament& LaidLines::through(std::uint64_t lines) {
-  for (; lines_ < lines; ++lines_) {
+const LaidFilament& LaidLines::through(std::uint64_t lines, std::uint64_t most) {
+  const std::uint64_t end = lines > lines_ ? lines_ + std::min(lines - lines_, most) : lines_;
+  for (; lines_ < end; ++lines_) {
     const auto command = nextCommand();
     if (!command) break;
     laid_.take(*command);
   }
   if (!laid_.fault().empty() && !std::exchange(is_fault_logged_, true))
     ROS_WARN_STREAM(
-        "how much is laid is reported up to a line that cannot be read for it: " << laid_.fault());
+        "how much is laid is not known from a line on that cannot be read for it: " << laid_.fault());
   return laid_;
 }
 

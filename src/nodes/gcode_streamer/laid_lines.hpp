@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,9 +27,10 @@ class LaidLines {
   /// null without a revision.
   std::shared_ptr<ProgramRevision> revision() const;
 
-  /// What is laid once that many lines are accepted. Lines are read on from the last call; fewer of them
-  /// change nothing. A line that cannot be read is logged, and nothing is added from there on.
-  const LaidFilament& through(std::uint64_t lines);
+  /// What is laid once that many lines are accepted. Lines are read on from the last call, at most so many in
+  /// this one; fewer of them change nothing. A line after which nothing is known is logged.
+  const LaidFilament& through(std::uint64_t lines,
+                              std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
  private:
   class Counted;

@@ -137,7 +137,8 @@ void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
     if (goes_on) {
       layers_below_ += firstLayerOf(part.toolpath_id).value_or(0);
     } else {
-      layers_below_ = 0;
+      // A plan that is begun with: the loop was started anew, or the machine prints the plan once more.
+      layers_below_ = firstLayerOf(part.toolpath_id).value_or(0);
       record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
       topics_.clearCells();
     }

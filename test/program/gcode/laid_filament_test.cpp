@@ -45,12 +45,33 @@ TEST(LaidFilament, FollowsRelativeLengthsArcsAndVolumes) {
   EXPECT_NEAR(laid.length(), 10.0 * M_PI + 20.0, 0.02);
 }
 
-TEST(LaidFilament, AddsNothingFromACommandOnThatItCannotRead) {
+TEST(LaidFilament, PassesOverWhatItCannotReadAndThatLaysNothing) {
+  for (const std::string command :
+       {"G28 W", "G90.1", "G92.1", "G21 G90 G94", "G1 X5 F0", "G0 A90", "G1 C10 F600", "G5 X5 I1 J1 P1 Q1"}) {
+    LaidFilament laid(2.0);
+    take(laid, "M83\nG92 E0\nG1 E5 F300\n" + command + "\nM83\nG1 X0 Y10 F1200\nG1 X40 Y40 E2.5");
+    EXPECT_NEAR(laid.length(), 50.0, 1e-9) << command;
+    EXPECT_NEAR(laid.volume(), 7.5 * kArea, 1e-9) << command;
+    EXPECT_NEAR(laid.feed(), 20.0, 1e-9) << command;
+    EXPECT_EQ(laid.fault(), "") << command;
+  }
+}
+
+TEST(LaidFilament, KnowsNothingFromACommandOnThatLaysWhatItCannotRead) {
   LaidFilament laid(2.0);
-  take(laid, "G1 X10 E1 F600\nG5 X20 I1 J1 P1 Q1\nG1 X30 E9");
-  EXPECT_NEAR(laid.length(), 10.0, 1e-9);
-  EXPECT_NEAR(laid.volume(), kArea, 1e-9);
-  EXPECT_EQ(laid.fault().find("G5 X20 I1 J1 P1 Q1: "), 0U) << laid.fault();
+  take(laid, "G1 X10 E1 F600\nG5 X20 I1 J1 P1 Q1 E2\nG1 X30 E9");
+  EXPECT_TRUE(std::isnan(laid.length()));
+  EXPECT_TRUE(std::isnan(laid.volume()));
+  EXPECT_TRUE(std::isnan(laid.feed()));
+  EXPECT_EQ(laid.fault().find("G5 X20 I1 J1 P1 Q1 E2: "), 0U) << laid.fault();
+}
+
+TEST(LaidFilament, CountsVolumesAsMarlinIsSet) {
+  LaidFilament laid(2.0);
+  take(laid, "M83\nG1 X10 E1 F600\nM2000 D1.75\nG1 X20 E1");
+  EXPECT_NEAR(laid.volume(), 2.0 * kArea, 1e-9) << "another command";
+  take(laid, "M200 D1.75\nG1 X30 E4\nM200 S0\nG1 X40 E1\nM200 S1\nG1 X50 E4\nM200 D1.75 S0\nG1 X60 E1");
+  EXPECT_NEAR(laid.volume(), 4.0 * kArea + 8.0, 1e-9);
 }
 
 TEST(LaidFilament, FindsTheDiameterAtEitherEndOfAProgram) {

@@ -228,6 +228,9 @@ void resumesOnTheBead(RobotCell& cell) {
   EXPECT_TRUE(isIn(place(), "the nozzle came to rest on it after")) << place();
   EXPECT_TRUE(isIn(place(), "layer 0, path 0, waypoint 1")) << place();
   EXPECT_NE(cell.command(Command::START), kAccepted) << "nothing goes on by itself";
+  cell.confirmed_length = {0.036, 0.039};
+  EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted);
+  EXPECT_EQ(cell.reason, "confirmed_length has 2 numbers; expected one at most");
   cell.confirmed_length = {0.039};
   EXPECT_NE(cell.command(Command::START, Command::RESUME), kAccepted) << "no more than 36 mm were laid";
   EXPECT_TRUE(isIn(cell.reason, "that was confirmed begins after 39 mm of beads")) << cell.reason;

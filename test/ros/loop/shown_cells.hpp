@@ -37,6 +37,9 @@ class ShownCells {
   /// Whether clouds came, and this many layers as beads.
   bool areAll(std::size_t layers) const { return cells && gains && layers_.size() == layers; }
 
+  /// Numbers of the layers that are shown as beads.
+  const std::set<std::int32_t>& layers() const { return layers_; }
+
   std::optional<sensor_msgs::PointCloud2> cells;
   std::optional<sensor_msgs::PointCloud2> gains;
 

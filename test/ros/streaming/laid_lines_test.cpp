@@ -45,6 +45,12 @@ TEST(LaidLines, CountWhatTheMachineHasAccepted) {
   EXPECT_NEAR(LaidLines(twoBeadsOfLines(), nullptr, 2.0).through(3).length(), 30.0, 1e-9);
 }
 
+TEST(LaidLines, AreCountedOnLaterIfThereAreMany) {
+  LaidLines laid(twoBeadsOfLines(), nullptr, 2.0);
+  EXPECT_NEAR(laid.through(3, 2).length(), 10.0, 1e-9);
+  EXPECT_NEAR(laid.through(3, 2).length(), 30.0, 1e-9);
+}
+
 TEST(LaidLines, GoByTheDiameterThatTheProgramStates) {
   LaidLines laid(twoBeadsOfLines("; filament_diameter = 4\n"), nullptr, 2.0);
   EXPECT_NEAR(laid.through(3).volume(), 4.0 * 4.0 * kArea, 1e-9);

@@ -20,17 +20,18 @@ class LaidFilament {
   LaidFilament(const LaidFilament&) = delete;
   LaidFilament& operator=(const LaidFilament&) = delete;
 
-  /// Takes the next command. From one on that cannot be read nothing is added any more: `fault`.
+  /// Takes the next command. One that cannot be read is passed over if it has no E, as G28 W, and its way, if
+  /// it has one, with it; from any other on, nothing is known any more: `fault`.
   void take(std::string_view command);
 
-  /// Length of beads: of motions that extrude [mm].
+  /// Length of beads: of motions that extrude [mm]. This, volume and feed are NaN after a fault.
   double length() const { return length_mm_; }
   /// Volume of the filament that has left the nozzle [mm^3], priming and purging included. What is retracted
   /// and pushed forward again counts once.
   double volume() const { return volume_mm3_; }
   /// Feed of the last motion [mm/s]; 0 before the first.
   double feed() const { return feed_mm_s_; }
-  /// The command that cannot be read, and why; empty if there is none.
+  /// The command with E that cannot be read, and why; empty if there is none.
   const std::string& fault() const { return fault_; }
 
  private:

@@ -74,8 +74,9 @@ void GcodeInterpreter::readLine(std::string_view text, std::size_t number) {
     if (command != *word.value) refuse("G" + numberText(*word.value) + " is not supported");
   }
   if (words.has('F')) {
-    feed_mm_s_ = words.value('F') * unit_mm_ / 60.0;
-    if (!(feed_mm_s_ > 0.0)) refuse("feed is " + numberText(words.value('F')) + "; must be positive");
+    const double feed_mm_s = words.value('F') * unit_mm_ / 60.0;
+    if (!(feed_mm_s > 0.0)) refuse("feed is " + numberText(words.value('F')) + "; must be positive");
+    feed_mm_s_ = feed_mm_s;
   }
   if (command == -1 && words.hasAny("XYZEIJKR")) {
     if (motion_ == -1) refuse("coordinates before any motion command");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include "lamina/base/characters.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "program/gcode/slicer_comments.hpp"
@@ -38,7 +40,10 @@ void LaidFilament::take(std::string_view command) {
   try {
     reader_.read(std::string(command) + '\n');
   } catch (const InvalidProgram& error) {
+    // Homing of one kind or another, a mode, a travel: nothing is laid by it.
+    if (command.find_first_of("Ee") == std::string_view::npos) return;
     fault_ = std::string(command) + ": " + error.what();
+    length_mm_ = volume_mm3_ = feed_mm_s_ = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -53,12 +58,21 @@ void LaidFilament::move(const GcodeMotion& motion) {
   retracted_mm3_ = 0.0;
 }
 
-/// Marlin: M200 D1.75 counts E in mm^3 of such filament, M200 D0 in mm again.
+/// Marlin: M200 D1.75 counts E in mm^3 of such filament, M200 D0 and M200 S0 in mm again, M200 S1 in mm^3.
 void LaidFilament::setVolumetric(std::string_view command) {
-  if (command.substr(0, 4) != "M200") return;
-  const std::size_t word = command.find('D');
-  if (word != std::string_view::npos)
-    is_volumetric_ = std::strtod(std::string(command.substr(word + 1)).c_str(), nullptr) > 0.0;
+  constexpr std::string_view kName = "M200";
+  if (command.substr(0, kName.size()) != kName) return;
+  const std::string words(command.substr(kName.size()));
+  if (!words.empty() && (isDigit(words.front()) || words.front() == '.')) return;  // another number
+  const auto value = [&words](char letter) -> std::optional<double> {
+    const std::size_t word = words.find(letter);
+    if (word == std::string::npos) return std::nullopt;
+    return std::strtod(words.c_str() + word + 1, nullptr);
+  };
+  const std::optional<double> diameter_mm = value('D');
+  const std::optional<double> is_set = value('S');
+  if (diameter_mm) is_volumetric_ = *diameter_mm > 0.0;
+  if (is_set && !(diameter_mm && *diameter_mm <= 0.0)) is_volumetric_ = *is_set != 0.0;
 }
 
 std::optional<double> filamentDiameterOf(std::istream& program) {

@@ -118,8 +118,7 @@ std::optional<ResumePlace> ResumeDesk::placeOf(const lamina_msgs::DriveToolpathG
     throw InvalidInput("laid_volume is " + numberText(goal.laid_volume) + " m3; expected 0 m3 or more");
   requireResumable();
   ResumePlace place = placeBy(beads, placed.bed_from_part, goal.laid_length, settings_.controller_wait_s);
-  if (!goal.confirmed_length.empty())
-    requireConfirmed(place, toMillimetres(goal.confirmed_length.front()), settings_.resume);
+  if (!goal.confirmed_length.empty()) requireConfirmed(place, toMillimetres(goal.confirmed_length.front()));
   ROS_WARN_STREAM("the job is resumed: " << toText(place));
   return place;
 }

@@ -74,8 +74,8 @@ class ResumeDesk {
   const KinematicModel& model_;
   const PresentJoints& joints_;
   std::function<bool()> is_driving_;
-  mutable std::mutex mutex_;              ///< of what follows
-  std::optional<JointValues> rested_;     ///< before it was moved
+  mutable std::mutex mutex_;
+  std::optional<JointValues> rested_;     ///< before it was moved; guarded by it
   std::shared_ptr<const ReadFile> read_;  ///< that was asked for last; of the service's thread alone
   ros::CallbackQueue queue_;
   ros::ServiceServer server_;
