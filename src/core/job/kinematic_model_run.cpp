@@ -123,8 +123,15 @@ double replacedTime(const KinematicModelRun& run, const JointTrajectory& traject
 KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  DividedJointPath planned = planDividedJointPath(std::move(toolpath), bed_from_part,
-                                                  {machine.model(), machine.guard()}, settings, progress);
+  return runOn(GuardedModel{machine.model(), machine.guard()}, std::move(toolpath), bed_from_part, settings,
+               progress);
+}
+
+KinematicModelRun runOn(const GuardedModel& guarded, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
+  DividedJointPath planned =
+      planDividedJointPath(std::move(toolpath), bed_from_part, guarded, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
 }
 
@@ -137,7 +144,12 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
 KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const GuardedModel guarded{machine.model(), machine.guard()};
+  return runOn(GuardedModel{machine.model(), machine.guard()}, excerpt, bed_from_part, settings, progress);
+}
+
+KinematicModelRun runOn(const GuardedModel& guarded, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
   KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
   for (const LayerRange& stretch : excerpt.stretches)
     run = joined(
