@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An arm of three parallel axes beside a bed at the height of its base: one elbow is over the bed, the other
 // under it.
+#include "job/arm/clear_branches.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
-#include "lamina/base/atomic_file.hpp"
-#include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/machine_check.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/kinematics/machine_choice.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
+#include "support/toolpaths.hpp"
 
 namespace lamina {
 namespace {
@@ -89,6 +91,56 @@ TEST(ClearBranches, AnArmReachesOverTheBedAndNotThroughIt) {
   job.settings.clearance.need = ClearanceNeed::Always;
   runSliceJob(job, nobody);
   EXPECT_TRUE(checkOf(job, nobody).isClear());
+}
+
+/// Layers that are not plane are checked before their program is, a few of them alone first.
+TEST(ClearBranches, CurvedLayersAreNotRefusedForTheElbowThatComesFirst) {
+  const test::ScratchFolder folder;
+  NoProgress nobody;
+  SliceJob job;
+  job.part = folder.file("cone.stl");
+  job.output = folder.file("cone.script");
+  job.settings.slicing.mode = "curved";
+  job.settings.curved.largest_gap_percent = 100.0;
+  job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 0.5;
+  job.settings.planning.bead.width_mm = 0.8;
+  job.settings.planning.walls.count = 1;
+  job.settings.planning.skirt.count = 0;
+  job.settings.machine.urdf = folder.file("arm.urdf");
+  writeStl(job.part, makePart("cone", {{"radius_mm", "4"}, {"height_mm", "1"}, {"segments", "12"}}));
+  writeFile(job.settings.machine.urdf, tableArm());
+  ASSERT_NO_THROW(runSliceJob(job, nobody));
+  EXPECT_TRUE(checkOf(job, nobody).isClear());
+}
+
+/// A nozzle in the bed is there with any elbow.
+TEST(ClearBranches, WhatIsRigidWithTheNozzleIsNotTriedInOtherBranches) {
+  std::string urdf = tableArm();
+  for (const char* link : {"upper_arm", "forearm"}) {
+    const std::string solid = beam(link, "0.5");
+    ASSERT_NE(urdf.find(solid), std::string::npos);
+    urdf.replace(urdf.find(solid), solid.size(), "<link name=\"" + std::string(link) + "\"/>");
+  }
+  const std::string nozzle = "<link name=\"nozzle\"/>";
+  ASSERT_NE(urdf.find(nozzle), std::string::npos);
+  urdf.replace(urdf.find(nozzle), nozzle.size(),
+               "<link name=\"nozzle\"><collision><geometry><sphere radius=\"0.01\"/></geometry></collision>"
+               "</link>");
+  const auto model = kinematicModelFromUrdf(urdf);
+  const CheckedMachine machine(*model);
+  NoProgress nobody;
+  int plans = 0;
+  const Toolpath toolpath = test::twoLayers();
+  const CheckedRun checked = checkedRun(
+      machine,
+      [&](const JointGuard& guard) {
+        ++plans;
+        return runOn(GuardedModel{*model, guard}, toolpath, Eigen::Isometry3d::Identity(), {}, nobody);
+      },
+      {}, nobody);
+  ASSERT_FALSE(checked.check.collisions.empty());
+  EXPECT_EQ(checked.check.collisions.front().meeting, "link 'nozzle' in the bed");
+  EXPECT_EQ(plans, 1);
 }
 
 }  // namespace

@@ -46,6 +46,11 @@ KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 
+/// The same with joint values that a guard allows; model and guard are as those of a `CheckedMachine`.
+KinematicModelRun runOn(const GuardedModel& guarded, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress);
+
 /// The same for a single run: the `CheckedMachine` is made for the call.
 KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
@@ -69,6 +74,11 @@ struct ToolpathExcerpt {
 /// @param progress  stage "joints"
 /// @throws as the function above
 KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress);
+
+/// The same with joint values that a guard allows.
+KinematicModelRun runOn(const GuardedModel& guarded, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress);
 

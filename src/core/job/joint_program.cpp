@@ -147,12 +147,13 @@ bool mayRaise(const JobSettings& settings, const SlicedPart& sliced) {
          greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }
 
-CheckedRun checkedRun(const CheckedMachine& machine, const SliceJob& job, const SlicedPart& sliced,
-                      const JointPathSettings& joints, Progress& progress) {
-  KinematicModelRun run = runOn(machine, sliced.toolpath, sliced.bed_from_part, joints, progress);
-  MachineCheck check = checkRun(run, machine, job.settings.clearance, progress);
-  return withClearBranches({std::move(run), std::move(check)}, machine,
-                           {sliced.toolpath, sliced.bed_from_part, joints, job.settings.clearance}, progress);
+CheckedRun plainRun(const CheckedMachine& machine, const SliceJob& job, const SlicedPart& sliced,
+                    const JointPathSettings& joints, Progress& progress) {
+  const RunPlanner plan = [&](const JointGuard& guard) {
+    return runOn(GuardedModel{machine.model(), guard}, sliced.toolpath, sliced.bed_from_part, joints,
+                 progress);
+  };
+  return checkedRun(machine, plan, job.settings.clearance, progress);
 }
 
 /// A part whose tool axis leans, raised where the machine would run into something, or cannot get there, as
@@ -163,8 +164,13 @@ CheckedRun raisedRun(const CheckedMachine& machine, const SliceJob& job, SlicedP
   const Toolpath wanted = std::move(sliced.toolpath);
   RaisedToolpath raised = raiseToolAxes(
       wanted, {machine.model(), sliced.bed_from_part, job.settings}, [&](const Toolpath& toolpath) {
-        last = runOn(machine, toolpath, sliced.bed_from_part, joints, progress);
-        return checkRun(*last, machine, job.settings.clearance, progress);
+        const RunPlanner plan = [&](const JointGuard& guard) {
+          return runOn(GuardedModel{machine.model(), guard}, toolpath, sliced.bed_from_part, joints,
+                       progress);
+        };
+        CheckedRun checked = checkedRun(machine, plan, job.settings.clearance, progress);
+        last = std::move(checked.run);
+        return std::move(checked.check);
       });
   sliced.toolpath = std::move(raised.toolpath);
   if (raised.waypoints > 0) sliced.summary.notes.push_back(noteOnRaised(raised));
@@ -204,7 +210,7 @@ KinematicModelRun runnable(const KinematicModel& model, const SliceJob& job, Sli
   }
   const CheckedMachine machine(model);
   CheckedRun checked = mayRaise(job.settings, sliced) ? raisedRun(machine, job, sliced, joints, progress)
-                                                      : checkedRun(machine, job, sliced, joints, progress);
+                                                      : plainRun(machine, job, sliced, joints, progress);
   requireClearFor(job, sliced.summary.mode, checked, model);
   return std::move(checked.run);
 }

@@ -14,6 +14,7 @@
 #include "lamina/kinematics/joint_path/straight_moves.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "lamina/toolpath/toolpath_event.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "lamina/trajectory/kept_feed.hpp"
 
@@ -84,8 +85,22 @@ bool isBackAt(const JointValues& one, const JointValues& other) {
   return one.size() == other.size() && one.size() > 0 && (one - other).cwiseAbs().maxCoeff() <= kComesBack;
 }
 
+/// The dwells before and after which the joints stand as at a waypoint.
+double dwellAt(const KinematicModelRun& run, const std::vector<double>& times, std::size_t waypoint) {
+  const std::vector<WaypointIndex>& at = run.path.at;
+  std::size_t first = waypoint;  // joints of one station pass it at one time
+  while (first > 0 && times[first - 1] == times[waypoint]) --first;
+  double dwell_s = 0.0;
+  for (std::size_t i = first; i < at.size() && times[i] == times[waypoint]; ++i) {
+    std::size_t begin = i;
+    while (begin > 0 && at[begin - 1].layer == at[i].layer && at[begin - 1].path == at[i].path) --begin;
+    dwell_s += dwellBefore(run.toolpath().layers[at[i].layer].paths[at[i].path].events, i - begin);
+  }
+  return dwell_s;
+}
+
 /// Time along the part of the motions that passages run instead: one that ends elsewhere than it began comes
-/// to the next waypoint of the program by itself.
+/// to the next waypoint of the program by itself. What the nozzle dwells before them is run.
 double replacedTime(const KinematicModelRun& run, const JointTrajectory& trajectory) {
   const std::vector<double>& times = trajectory.stationTimes();
   const std::vector<JointValues>& values = run.path.values;
@@ -97,7 +112,8 @@ double replacedTime(const KinematicModelRun& run, const JointTrajectory& traject
     if (last.size() == 0 || isBackAt(last, values[begin - 1])) continue;
     std::size_t end = begin;  // a motion may be divided, under one line
     while (end + 1 < times.size() && run.lines[end + 1] == run.lines[begin]) ++end;
-    time_s += times[end] - times[begin - 1];
+    if (times[end] > times[begin - 1])
+      time_s += times[end] - times[begin - 1] - dwellAt(run, times, begin - 1);
   }
   return time_s;
 }
@@ -107,8 +123,15 @@ double replacedTime(const KinematicModelRun& run, const JointTrajectory& traject
 KinematicModelRun runOn(const CheckedMachine& machine, Toolpath toolpath,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  DividedJointPath planned = planDividedJointPath(std::move(toolpath), bed_from_part,
-                                                  {machine.model(), machine.guard()}, settings, progress);
+  return runOn(GuardedModel{machine.model(), machine.guard()}, std::move(toolpath), bed_from_part, settings,
+               progress);
+}
+
+KinematicModelRun runOn(const GuardedModel& guarded, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
+  DividedJointPath planned =
+      planDividedJointPath(std::move(toolpath), bed_from_part, guarded, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints), {}};
 }
 
@@ -121,7 +144,12 @@ KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
 KinematicModelRun runOn(const CheckedMachine& machine, const ToolpathExcerpt& excerpt,
                         const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
                         Progress& progress) {
-  const GuardedModel guarded{machine.model(), machine.guard()};
+  return runOn(GuardedModel{machine.model(), machine.guard()}, excerpt, bed_from_part, settings, progress);
+}
+
+KinematicModelRun runOn(const GuardedModel& guarded, const ToolpathExcerpt& excerpt,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
   KinematicModelRun run{undivided(excerpt.toolpath), bed_from_part, {}, {}};
   for (const LayerRange& stretch : excerpt.stretches)
     run = joined(

@@ -21,7 +21,10 @@ constexpr int kMostAxes = 6;           // of a controller
 bool readZero(std::string_view text, double& zero) {
   if (text.empty()) return true;
   if (text.front() != '+' && text.front() != '-') return false;
-  if (text.front() == '+') text.remove_prefix(1);
+  if (text.front() == '+') {
+    text.remove_prefix(1);
+    if (!text.empty() && text.front() == '-') return false;
+  }
   const auto read = std::from_chars(text.data(), text.data() + text.size(), zero);
   return read.ec == std::errc() && read.ptr == text.data() + text.size() && std::abs(zero) <= kGreatestZero;
 }

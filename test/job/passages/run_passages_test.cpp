@@ -257,6 +257,10 @@ TEST_F(RunPassages, ReplaceTheTravelThatTheyLeadBeside) {
   const double beside_s = passageTime(led.run.passages, *model, settings);
   EXPECT_GT(beside_s, 2.0);
   EXPECT_NEAR(direct.figures.total_s + beside_s - led.figures.total_s, 2.05, 0.1);
+  // 3 s at its beginning are waited either way.
+  motion.toolpath.layers[0].paths[1].events = {{0, Dwell{3.0}}};
+  const TimedRun waiting = inTime(runAsStated(*model, motion, planning), *model, settings);
+  EXPECT_NEAR(waiting.figures.total_s - led.figures.total_s, 3.0, 1e-3);
 }
 
 /// 200 mm there and 200 mm back at the feed of travels.

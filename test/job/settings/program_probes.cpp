@@ -160,7 +160,8 @@ SettingProbe tableListingProbe() {
 SettingProbe tableJobProbe() {
   return {"a job over a table that turns",
           std::string(kSmall) +
-              "machine.name=irb_4600_turntable;joints.external=follow;inform.external_pulses=1000",
+              "machine.name=irb_4600_turntable;joints.external=follow;inform.external_pulses=1000;"
+              "inform.pulses_per_deg=1000,1000,1000,500,500,250",
           programOf(kPlate, ".jbi"),
           {{"inform.external_pulses=500"}, {"inform.coordinated=false", "joints.external=held"}}};
 }

@@ -268,7 +268,9 @@ TEST_F(RobotGantry, AxesThatItDoesNotHaveAreRefusedByName) {
   EXPECT_NE(refusal("external_1=e1", &robot).find("do not name joint external_2"), std::string::npos);
   EXPECT_NE(refusal("external_1=e1,external_9=e2", &robot).find("name joint external_9"), std::string::npos);
   EXPECT_NE(refusal("external_1=e1,external_2=e3", &robot).find("names e3 without e2"), std::string::npos);
-  EXPECT_NE(refusal("external_1=e7,external_2=e1", &robot).find("expected joint=axis"), std::string::npos);
+  for (const char* wrong : {"external_1=e7,external_2=e1", "external_1=e1+-5,external_2=e2",
+                            "external_1=e1--5,external_2=e2", "external_1=e1++5,external_2=e2"})
+    EXPECT_NE(refusal(wrong, &robot).find("expected joint=axis"), std::string::npos) << wrong;
   EXPECT_NE(refusal(kSwapped, nullptr).find("without an arm"), std::string::npos);
 }
 
@@ -312,6 +314,7 @@ TEST(RobotCell, JobsOverATableMoveItsStation) {
   RobotProgramSettings settings;
   settings.external_axes = "external_1=-e1+90";
   settings.inform.external_pulses = {1000.0};
+  settings.inform.pulses_per_deg = {1000, 1000, 1000, 500, 500, 250};
   const auto files = robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot);
   const std::string& text = files[0].text;
   EXPECT_NE(text.find("\r\nEC00001=60000\r\n"), std::string::npos) << text;
@@ -333,6 +336,76 @@ TEST(RobotCell, JobsOverATableMoveItsStation) {
   EXPECT_NE(apart[0].text.find(" +MOVJ EC00001 VJ=10.00\r\n"), std::string::npos) << apart[0].text;
   EXPECT_EQ(apart[0].text.find("SMOVL"), std::string::npos);
   EXPECT_NO_THROW(readRobotMotion(apart, "part", *arm));
+}
+
+/// `MOVJ` takes a pose over the frame where the joint of the table is at zero: 30 deg about it beside the
+/// part.
+TEST(RobotCell, JobsGoToNoPoseOverATurnedTableByAMoveOfTheJoints) {
+  NoProgress nobody;
+  const auto arm = kinematicModelByName("irb_4600_turntable");
+  const Toolpath toolpath = test::twoLayers();
+  const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  RobotProgramSettings settings;
+  settings.external_axes = "external_1=-e1+90";
+  settings.inform.external_pulses = {1000.0};
+  const auto refusal = [&](double held_deg) -> std::string {
+    JointPathSettings planning;
+    planning.external_deg = held_deg;
+    const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
+    const RobotMotion robot{*arm, joints};
+    try {
+      robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot);
+      return "";
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal(0.0), "");
+  EXPECT_EQ(
+      refusal(30.0),
+      "inform.pulses_per_deg is empty, so that a move of the joints goes to a pose over a frame that "
+      "stands still, and axis external_1 turns the bed to 60 deg; expected the pulses of each joint, or "
+      "90 deg (joints.external 'held')");
+  settings.inform.is_coordinated = false;
+  EXPECT_NE(refusal(30.0).find("inform.coordinated is false, and axis external_1"), std::string::npos);
+  settings.inform.is_coordinated = true;
+  settings.inform.pulses_per_deg = {1000, 1000, 1000, 500, 500, 250};
+  EXPECT_EQ(refusal(30.0), "");
+}
+
+/// An arm on a slewing base beside a bed that stands still.
+std::string slewingArm() {
+  std::string urdf = kinematicModelByName("irb_4600_turntable")->urdf();
+  const auto replaceOne = [&urdf](const std::string& from, const std::string& to) {
+    const std::size_t at = urdf.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    urdf.replace(at, from.size(), to);
+  };
+  replaceOne("<joint name=\"joint_1\" type=\"revolute\">\n    <parent link=\"base_link\"/>",
+             "<joint name=\"joint_1\" type=\"revolute\">\n    <parent link=\"slew\"/>");
+  replaceOne("<joint name=\"external_1\" type=\"revolute\">",
+             "<link name=\"slew\"/><joint name=\"external_1\" type=\"revolute\"><parent link=\"base_link\"/>"
+             "<child link=\"slew\"/><axis xyz=\"0 0 1\"/><limit lower=\"-3\" upper=\"3\" velocity=\"1\" "
+             "effort=\"1\"/></joint><joint name=\"to_bed\" type=\"fixed\">");
+  return urdf;
+}
+
+/// What is coordinated is a bed that is carried.
+TEST(RobotCell, AStationThatTurnsTheArmGoesBesideIt) {
+  NoProgress nobody;
+  const auto arm = kinematicModelFromUrdf(slewingArm());
+  const Toolpath toolpath = test::twoLayers();
+  const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  const JointPath joints = planJointPath(toolpath, place, *arm, {}, nobody);
+  const RobotMotion robot{*arm, joints};
+  RobotProgramSettings settings;
+  settings.inform.external_pulses = {1000.0};
+  const auto job = robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot);
+  EXPECT_EQ(job[0].text.find("SMOVL"), std::string::npos);
+  EXPECT_NE(job[0].text.find(" +MOVJ EC00001 VJ=10.00\r\n"), std::string::npos) << job[0].text;
+  const auto listing = robotProgram(toolpath, place, {RobotLanguage::Fanuc, "part", settings}, &robot);
+  EXPECT_NE(listing[0].text.find(":L P["), std::string::npos) << listing[0].text;
+  EXPECT_EQ(listing[0].text.find(" COORD "), std::string::npos) << listing[0].text;
 }
 
 /// Listings of Fanuc hold rails before what turns.

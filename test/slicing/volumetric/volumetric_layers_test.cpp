@@ -265,10 +265,13 @@ TEST(VolumetricLayers, RefuseWhatDoesNotStand) {
       "");
 }
 
+Mesh hook() {
+  return test::lyingPrism({{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}},
+                          6.0);
+}
+
 TEST(VolumetricLayers, RefuseWhatHangsLowerThanGrowthComes) {
-  const Mesh hook =
-      test::lyingPrism({{{0, 0}, {8, 0}, {8, 20}, {18, 20}, {18, 8}, {24, 8}, {24, 26}, {0, 26}}, {}}, 6.0);
-  const std::string refusal = refusalOf(hook);
+  const std::string refusal = refusalOf(hook());
   EXPECT_NE(refusal.find("hang lower than growth comes"), std::string::npos) << refusal;
   // The tip of the hook: 6 x 6 x 12 mm of it look down at z = 8, from x = 18 to 24.
   EXPECT_NE(refusal.find("volumetric.largest_pendant_percent"), std::string::npos) << refusal;
@@ -319,6 +322,27 @@ TEST(VolumetricLayers, RefuseWhatLayersLeaveOpen) {
       << refusal;
   expectInFrustum(refusal, "most of it around (");
   EXPECT_EQ(refusalOf(test::openingFrustum(60.0, 6.0), usualRequest(0.8)), "");
+}
+
+// What hangs from the hook is in no layer, as allowed; the place is where layers leave open what they reach.
+TEST(VolumetricLayers, ThePlaceLeftOpenIsNotThatOfAPendant) {
+  VolumetricRequest request = usualRequest(0.8);
+  request.settings.largest_pendant_percent = 100.0;
+  request.settings.largest_unsupported_percent = 100.0;
+  request.settings.largest_uneven_percent = 100.0;
+  request.settings.largest_uncovered_percent = 0.0;
+  const std::string refusal = refusalOf(hook(), request);
+  double x = 0.0, z = 0.0, pendant = 0.0;
+  const std::size_t hanging = refusal.find("level layers, ");
+  ASSERT_NE(hanging, std::string::npos) << refusal;
+  ASSERT_EQ(std::sscanf(refusal.c_str() + hanging, "level layers, %lf %% hang", &pendant), 1) << refusal;
+  // Of 376 mm² of its outline 6 x 12 hang, of which growth reaches what is above a line 20 deg down from the
+  // inner edge.
+  EXPECT_NEAR(pendant, 100.0 * (72.0 - 18.0 * std::tan(toRadians(20.0))) / 376.0, 1.0);
+  const std::size_t at = refusal.find("most of it around (");
+  ASSERT_NE(at, std::string::npos) << refusal;
+  ASSERT_EQ(std::sscanf(refusal.c_str() + at, "most of it around (%lf, %*f, %lf) mm", &x, &z), 2) << refusal;
+  EXPECT_TRUE(x < 18.0 || z > 14.0) << refusal;
 }
 
 // A bar of 0.6 mm over a stem, in layers that tilt by 30 deg and are twice as thick as 0.4 mm there: the

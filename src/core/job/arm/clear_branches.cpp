@@ -3,13 +3,12 @@
 #include "job/arm/clear_branches.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "lamina/kinematics/arm/abb_configuration.hpp"
-#include "lamina/kinematics/joint_path/divided_joint_path.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
 
 namespace lamina {
 namespace {
@@ -42,44 +41,67 @@ class BranchGuard final : public JointGuard {
   const std::set<int>& branches_;
 };
 
-/// With the part any branch may collide, since it is where the tool is.
-bool isOfMachine(const Finding& finding) {
-  return finding.meeting.find(" in the bed") != std::string::npos ||
-         finding.meeting.find(" in link '") != std::string::npos;
+/// Whether a link runs into a body of the machine, but for one that is in the bed with any branch, such as
+/// the nozzle. With the part any branch may collide, since it is where the tool is.
+bool isOfBranch(const Finding& finding, const RigidGroup& at_nozzle) {
+  if (finding.meeting.find(" in link '") != std::string::npos) return true;
+  if (finding.meeting.find(" in the bed") == std::string::npos) return false;
+  const auto isMet = [&](const std::string& link) {
+    return finding.meeting.find("link '" + link + "' in the bed") != std::string::npos;
+  };
+  return std::none_of(at_nozzle.links.begin(), at_nozzle.links.end(), isMet);
+}
+
+const RigidGroup& groupOfNozzle(const LinkBodies& bodies) {
+  const auto holdsNozzle = [](const RigidGroup& group) {
+    return std::find(group.links.begin(), group.links.end(), "nozzle") != group.links.end();
+  };
+  return *std::find_if(bodies.groups.begin(), bodies.groups.end(), holdsNozzle);
 }
 
 /// Of the waypoints at which links run into bodies of the machine.
-std::set<int> collidingBranches(const CheckedRun& checked, const KinematicModel& arm) {
+std::set<int> collidingBranches(const CheckedRun& checked, const CheckedMachine& machine) {
   std::set<WaypointIndex> places;
+  const RigidGroup& at_nozzle = groupOfNozzle(machine.bodies());
   for (const Finding& finding : checked.check.collisions)
-    if (isOfMachine(finding)) places.insert(finding.at);
+    if (isOfBranch(finding, at_nozzle)) places.insert(finding.at);
   std::set<int> branches;
   const JointPath& path = checked.run.path;
   for (std::size_t i = 0; i < path.at.size() && !places.empty(); ++i)
     if (places.count(checked.run.divided.originalOf(path.at[i])) > 0)
-      branches.insert(abbConfiguration(arm, path.values[i]).cfx);
+      branches.insert(abbConfiguration(machine.model(), path.values[i]).cfx);
   return branches;
+}
+
+std::size_t placesIn(const CheckedRun& checked) {
+  return checked.check.faults.size() + checked.check.collisions.size();
 }
 
 }  // namespace
 
-CheckedRun withClearBranches(CheckedRun first, const CheckedMachine& machine, const RunRequest& request,
-                             Progress& progress) {
+CheckedRun checkedRun(const CheckedMachine& machine, const RunPlanner& plan,
+                      const ClearanceSettings& clearance, Progress& progress) {
+  const auto planned = [&](const JointGuard& guard) {
+    CheckedRun checked{plan(guard), {}};
+    checked.check = checkRun(checked.run, machine, clearance, progress);
+    return checked;
+  };
+  CheckedRun best = planned(machine.guard());
   const KinematicModel& arm = machine.model();
-  if (!isSixAxisArm(arm) || !first.run.path.isRunnable()) return first;
-  std::set<int> forbidden = collidingBranches(first, arm);
+  if (!isSixAxisArm(arm) || !best.run.path.isRunnable() || best.check.isClear()) return best;
+  std::set<int> forbidden = collidingBranches(best, machine);
   const BranchGuard guard(machine.guard(), arm, forbidden);
-  for (int plans = 0, known = 0; plans<kMostPlans&&static_cast<int>(forbidden.size())> known; ++plans) {
-    known = static_cast<int>(forbidden.size());
-    DividedJointPath planned =
-        planDividedJointPath(request.toolpath, request.bed_from_part, {arm, guard}, request.joints, progress);
-    CheckedRun again{{std::move(planned.divided), request.bed_from_part, std::move(planned.joints), {}}, {}};
-    if (!again.run.path.isRunnable()) return first;
-    again.check = checkRun(again.run, machine, request.clearance, progress);
-    if (again.check.isClear()) return again;
-    forbidden.merge(collidingBranches(again, arm));
+  std::size_t known = 0;
+  for (int plans = 0; plans < kMostPlans; ++plans) {
+    const bool is_further = forbidden.size() > known;
+    if (!is_further || best.check.isClear()) break;
+    known = forbidden.size();
+    CheckedRun again = planned(guard);
+    if (!again.run.path.isRunnable()) break;
+    forbidden.merge(collidingBranches(again, machine));
+    if (placesIn(again) < placesIn(best)) best = std::move(again);
   }
-  return first;
+  return best;
 }
 
 }  // namespace lamina

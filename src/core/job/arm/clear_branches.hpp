@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
+#include <functional>
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/machine_check.hpp"
-#include "lamina/kinematics/joint_path/joint_path_settings.hpp"
-#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/kinematics/joint_path/joint_guard.hpp"
 #include "lamina/verification/collision/checked_machine.hpp"
 #include "lamina/verification/collision/clearance_settings.hpp"
 
@@ -20,20 +19,16 @@ struct CheckedRun {
   MachineCheck check;
 };
 
-/// What is run, and how it is planned and checked.
-struct RunRequest {
-  const Toolpath& toolpath;
-  const Eigen::Isometry3d& bed_from_part;
-  const JointPathSettings& joints;
-  const ClearanceSettings& clearance;
-};
+/// Plans a run with joint values that a guard allows.
+using RunPlanner = std::function<KinematicModelRun(const JointGuard&)>;
 
-/// A run of a six-axis arm without the branches with which links of the arm run into the bed or another link:
-/// planned again without those that collide, until a run is clear, three times at most. The run that it began
-/// with is returned if none is clear, if nothing of that kind collides, and for other machines.
-/// @param first  the run without such a choice
-/// @throws as `planDividedJointPath`, `checkRun`
-CheckedRun withClearBranches(CheckedRun first, const CheckedMachine& machine, const RunRequest& request,
-                             Progress& progress);
+/// Plans a run with the guard of a machine, and checks it. A six-axis arm is led without the branches with
+/// which its links run into the bed or another link: the run is planned again without those that collide,
+/// until one is clear, three times at most. A link that is rigid with the nozzle is in the bed with any
+/// branch.
+/// @return the clear run; otherwise the one with the fewest findings, the first of these
+/// @throws as `plan`, `checkRun`
+CheckedRun checkedRun(const CheckedMachine& machine, const RunPlanner& plan,
+                      const ClearanceSettings& clearance, Progress& progress);
 
 }  // namespace lamina

@@ -231,7 +231,7 @@ void measureResting(const GrownPart& part, const std::vector<LayerSurface>& surf
 struct CoverageShares {
   double open = 0.0;
   double twice = 0.0;
-  std::vector<Point3> wrong;  ///< samples in no layer or in several
+  std::vector<Point3> wrong;  ///< samples in no layer or in several, also of pendants
 };
 
 CoverageShares sharesAbove(double bed_mm, const PartSamples& samples,
@@ -279,6 +279,23 @@ double openOfLevelLayers(const GrownPart& part, const MeshTopology& topology, Pr
   return sharesAbove(part.bed_mm, samples, layerCounts(samples, {{}, layers, {}}, progress)).open;
 }
 
+/// Of places, those to which growth comes; all if it comes to none.
+std::vector<Point3> reachedOf(const std::vector<Point3>& places, const GrownPart& part) {
+  std::vector<Point3> reached;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(reached),
+               [&](const Point3& place) { return std::isfinite(part.grown->at(place)); });
+  return reached.empty() ? places : reached;
+}
+
+std::string levelAndPendantText(double open_level, double pendant) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.2f %% in none of level layers", 100.0 * open_level);
+  if (pendant == 0.0) return text;
+  char further[80];
+  std::snprintf(further, sizeof further, ", %.2f %% hang where no layer leads", 100.0 * pendant);
+  return std::string(text) + further;
+}
+
 /// Pendants have a limit of their own.
 void requireCovered(const GrownPart& part, const CoverageShares& shares, const VolumetricMeasures& measures,
                     const PartSamples& samples) {
@@ -286,17 +303,18 @@ void requireCovered(const GrownPart& part, const CoverageShares& shares, const V
   const double percent = 100.0 * (std::max(0.0, shares.open - measures.open_level - pendant) + shares.twice);
   const double most = part.request.settings.largest_uncovered_percent;
   if (percent <= most || shares.wrong.empty()) return;
+  const std::vector<Point3> wrong = reachedOf(shares.wrong, part);
   const double around_mm = kNearTogether * samples.spacing();
-  const Point3 where = densestPlace(shares.wrong, around_mm);
+  const Point3 where = densestPlace(wrong, around_mm);
   char text[400];
   std::snprintf(
       text, sizeof text,
-      "%.2f %% of the part would be in no layer (%.2f %% in none of level layers) and %.2f %% in more "
+      "%.2f %% of the part would be in no layer (%s) and %.2f %% in more "
       "than one, most of it around %s; expected at most %.4g %% beyond level layers%s "
       "(volumetric.largest_uncovered_percent): use smaller cells (volumetric.cell_mm), thinner layers, "
       "or turn the part",
-      100.0 * shares.open, 100.0 * measures.open_level, 100.0 * shares.twice, placeText(where).c_str(), most,
-      pendant > 0.0 ? " and what hangs where no layer leads" : "");
+      100.0 * shares.open, levelAndPendantText(measures.open_level, pendant).c_str(), 100.0 * shares.twice,
+      placeText(where).c_str(), most, pendant > 0.0 ? " and what hangs where no layer leads" : "");
   throw Unsliceable(text, facesAbout(part.mesh, where, around_mm));
 }
 

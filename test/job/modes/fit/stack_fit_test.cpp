@@ -177,6 +177,30 @@ TEST(StackFit, IsRefusedAfterOneCheckOfSomeLayersWhereAPlaceIsOutOfReach) {
   EXPECT_EQ(plan.progress.checks(), 1U);
 }
 
+// Raising has its own way there, and axes that are led may stand elsewhere in the whole.
+TEST(StackFit, APlaceOutOfReachOfSomeLayersIsLeftToTheCheckOfTheWhole) {
+  Toolpath planned = lowBeadsBesideAHighOne();
+  planned.layers[2].paths.back().points.front().x() = 4000.0;
+  const auto isLeft = [&](const auto& change) {
+    TiltingHeadPlan plan;
+    plan.job.settings.volumetric.largest_left_out_percent = 100.0;
+    change(plan.job.settings);
+    try {
+      return toolpathId(plan.fit(planned).toolpath) == toolpathId(planned);
+    } catch (const Unreachable&) {
+      return false;
+    }
+  };
+  EXPECT_FALSE(isLeft([](JobSettings&) {}));
+  EXPECT_TRUE(isLeft([](JobSettings& settings) { settings.clearance.raises_tool_axis = true; }));
+  const auto useTurntable = [](JobSettings& settings) { settings.machine.name = "irb_4600_turntable"; };
+  EXPECT_FALSE(isLeft(useTurntable));
+  EXPECT_TRUE(isLeft([&](JobSettings& settings) {
+    useTurntable(settings);
+    settings.joints.external = ExternalChoice::Follow;
+  }));
+}
+
 class FittedStack : public testing::Test {
  protected:
   FittedStack() {

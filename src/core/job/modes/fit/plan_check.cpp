@@ -82,7 +82,9 @@ PlanCheck::PlanCheck(const PlanningRequest& request, const LeadTravels& lead, Pr
 
 CheckedPlan PlanCheck::whole(Toolpath beads) const {
   const TravelsOverPart travels = lead_(beads);
-  MachineCheck check = checked(runOn(machine_, beads, request_.bed_from_part, joints_, progress_));
+  MachineCheck check = checked([&](const JointGuard& guard) {
+    return runOn(GuardedModel{*model_, guard}, beads, request_.bed_from_part, joints_, progress_);
+  });
   return {std::move(beads), travels, std::move(check)};
 }
 
@@ -96,11 +98,13 @@ CheckedPlan PlanCheck::again(Toolpath beads, const CheckedPlan& before) const {
 }
 
 MachineCheck PlanCheck::of(const ToolpathExcerpt& excerpt) const {
-  return checked(runOn(machine_, excerpt, request_.bed_from_part, joints_, progress_));
+  return checked([&](const JointGuard& guard) {
+    return runOn(GuardedModel{*model_, guard}, excerpt, request_.bed_from_part, joints_, progress_);
+  });
 }
 
-MachineCheck PlanCheck::checked(const KinematicModelRun& run) const {
-  return checkRun(run, machine_, clearance_, progress_);
+MachineCheck PlanCheck::checked(const RunPlanner& plan) const {
+  return checkedRun(machine_, plan, clearance_, progress_).check;
 }
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 
+#include "job/arm/clear_branches.hpp"
 #include "job/modes/travels_over_part.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
@@ -34,7 +35,7 @@ enum class PlanLimits {
   AsRun,  ///< those by which a program is refused
 };
 
-/// Checks a plan as `runOn` and `checkRun` do.
+/// Checks a plan as that of a program is (`checkedRun`).
 class PlanCheck {
  public:
   /// @param request, lead, progress  must outlive the check
@@ -63,7 +64,7 @@ class PlanCheck {
   MachineCheck of(const ToolpathExcerpt& excerpt) const;
 
  private:
-  MachineCheck checked(const KinematicModelRun& run) const;
+  MachineCheck checked(const RunPlanner& plan) const;
 
   const PlanningRequest& request_;
   const LeadTravels& lead_;

@@ -103,14 +103,10 @@ class StackFitting {
         check_(request, as_planned_, progress, PlanLimits::AsRun) {}
 
   StackFit fit(Toolpath planned) {
-    const RaisingSite site{check_.model(), request_.bed_from_part, request_.job.settings};
-    const auto unmendable = [&](const MachineCheck& check) {
-      return unmendableFaults(check, planned, request_.bed_from_part);
-    };
-    if (const std::optional<HopelessLayers> hopeless = hopelessLayers(planned, site, check_, unmendable))
-      refuse(*hopeless, planned.layers.size(), check_.model());
+    refuseHopeless(planned);
     found_ = checked(planned);
-    if (found_.isClear() || !unmendable(found_).empty()) return {std::move(planned), {}};
+    if (found_.isClear() || !unmendableFaults(found_, planned, request_.bed_from_part).empty())
+      return {std::move(planned), {}};
     fitted_.toolpath = planned;
     if (turnsTooFar(found_)) settle();
     if (!found_.collisions.empty() || isBeyondLimits(found_)) raise();
@@ -120,6 +116,21 @@ class StackFitting {
   }
 
  private:
+  /// External axes that are led stand elsewhere in a few layers than in the whole, which may be in reach
+  /// then. With `clearance.raise_tool_axis` the program is raised at all that is found, also where a head
+  /// that leans takes the wrist out of reach.
+  void refuseHopeless(const Toolpath& planned) const {
+    const JobSettings& settings = request_.job.settings;
+    if (settings.joints.external != ExternalChoice::Held || settings.joints.rail != RailChoice::Held) return;
+    const auto unmendable = [&](const MachineCheck& check) {
+      return settings.clearance.raises_tool_axis ? std::vector<Finding>()
+                                                 : unmendableFaults(check, planned, request_.bed_from_part);
+    };
+    const RaisingSite site{check_.model(), request_.bed_from_part, settings};
+    if (const std::optional<HopelessLayers> hopeless = hopelessLayers(planned, site, check_, unmendable))
+      refuse(*hopeless, planned.layers.size(), check_.model());
+  }
+
   MachineCheck checked(const Toolpath& toolpath) const { return check_.whole(toolpath).check; }
 
   /// Not where more joints turn too far then: a motion that ends upright may be the one that turns them.

@@ -159,7 +159,8 @@ class FanucPrinter : public RobotPrinter {
   }
 
   void add(const TipMove& move) {
-    if (!site_.settings.fanuc.is_coordinated) requireHeldTable(move.external, site_, "fanuc.coordinated");
+    if (!site_.settings.fanuc.is_coordinated)
+      requireHeldTable(move.external, site_, {"fanuc.coordinated is false", "true"});
     const std::string speed = speedOf(move);
     const std::string point = openPoint("\tCONFIG : '" + configuration(move) + "',");
     const RobotAngles angles = robotAngles(move.orientation, last_x_deg_);
@@ -192,7 +193,7 @@ class FanucPrinter : public RobotPrinter {
 
   bool isOverPositioner() const {
     const auto& kinds = site_.external;
-    return site_.settings.fanuc.is_coordinated &&
+    return site_.settings.fanuc.is_coordinated && site_.cell && site_.cell->is_bed_carried &&
            std::find(kinds.begin(), kinds.end(), JointKind::Rotary) != kinds.end();
   }
 

@@ -132,6 +132,7 @@ class InformPrinter : public RobotPrinter {
   }
 
   void add(const JointMove& move) {
+    requireCoordinated(move.joints.external);
     if (site_.settings.inform.pulses_per_deg.empty())
       addPose(move);
     else
@@ -193,15 +194,29 @@ class InformPrinter : public RobotPrinter {
   void addPose(const JointMove& move) {
     if (!move.pose)
       throw InvalidInput("a move of the joints states no pose; expected one, or inform.pulses_per_deg");
+    requireHeldTable(move.joints.external, site_,
+                     {"inform.pulses_per_deg is empty, so that a move of the joints goes to a pose over a "
+                      "frame that stands still",
+                      "the pulses of each joint"});
     std::string joints(kJointsNote);
     for (const double each : move.joints.arm_deg) joints += ' ' + decimalText(each, kInformAngleDecimals);
     add(NoteLine{joints});
     addPose(*move.pose);
   }
 
+  void requireCoordinated(const std::vector<double>& external) const {
+    if (!site_.settings.inform.is_coordinated)
+      requireHeldTable(external, site_, {"inform.coordinated is false", "true"});
+  }
+
+  /// A station that does not carry the bed, as one that turns the arm, moves beside it.
+  bool isOverStation() const {
+    return site_.settings.inform.is_coordinated && turns_ > 0 && site_.cell && site_.cell->is_bed_carried;
+  }
+
   void add(const TipMove& move) {
-    const bool goes_together = site_.settings.inform.is_coordinated && turns_ > 0;
-    if (!goes_together) requireHeldTable(move.external, site_, "inform.coordinated");
+    const bool goes_together = isOverStation();
+    requireCoordinated(move.external);
     addPose(move);
     addExternal(move.external);
     const RoundedSpeed speed =

@@ -100,15 +100,17 @@ void requireOutputNumber(int output, RobotLanguage language) {
                        toString(language) + " counts (robot_program.process_output, robot_program.levels)");
 }
 
-void requireHeldTable(const std::vector<double>& external, const RobotSite& site, const std::string& key) {
+void requireHeldTable(const std::vector<double>& external, const RobotSite& site,
+                      const StandingFrame& frame) {
   if (!site.cell || !site.cell->is_bed_carried) return;
   const std::vector<ExternalEntry>& entries = site.map.external;
   for (std::size_t k = 0; k < external.size(); ++k) {
     const double zero = entries.empty() ? 0.0 : entries[k].zero;
     if (site.external[k] != JointKind::Rotary || std::abs(external[k] - zero) <= kHeldTable) continue;
     const std::string joint = entries.empty() ? "external_" + std::to_string(k + 1) : entries[k].joint;
-    throw InvalidInput(key + " is false, and axis " + joint + " turns the bed to " + numberText(external[k]) +
-                       " deg; expected true, or " + numberText(zero) + " deg (joints.external 'held')");
+    throw InvalidInput(frame.why + ", and axis " + joint + " turns the bed to " + numberText(external[k]) +
+                       " deg; expected " + frame.remedy + ", or " + numberText(zero) +
+                       " deg (joints.external 'held')");
   }
 }
 

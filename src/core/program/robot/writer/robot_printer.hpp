@@ -114,12 +114,17 @@ void requireInFormat(double value, const char* unit, RobotLanguage language);
 /// @throws InvalidInput
 void requireOutputNumber(int output, RobotLanguage language);
 
+/// Why the controller takes points over a frame that stands still, for errors.
+struct StandingFrame {
+  std::string why;     ///< "fanuc.coordinated is false"
+  std::string remedy;  ///< what is expected instead: "true"
+};
+
 /// Refuses a move over a bed that an axis has turned from where the joint is at zero, in a program whose
 /// points the controller takes over a frame that stands still.
 /// @param external  values of the axes, as the controller counts them
-/// @param key  setting that makes the frame go with the bed, for errors: "fanuc.coordinated"
 /// @throws InvalidInput
-void requireHeldTable(const std::vector<double>& external, const RobotSite& site, const std::string& key);
+void requireHeldTable(const std::vector<double>& external, const RobotSite& site, const StandingFrame& frame);
 
 /// A wait divided into waits of at most `longest_s`, to be written one after the other [s].
 std::vector<double> waitParts(double duration_s, double longest_s);
