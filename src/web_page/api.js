@@ -1,9 +1,10 @@
 // Requests to the server, and the link over which the state comes.
 
 let csrf = "";
-let clock = null; // the server's time in the last state [s], and when it came by this host [ms]
+let clocks = []; // of the last minute: by how much the server's time was ahead of this host's [s], and when by this host [ms]
 const pollTimeout = 3000; // ms
 const silentAfter = 2500; // ms: the state comes once a second at least
+const clocksFor = 60000; // ms
 const deadAfter = 4000; // ms
 
 export class Refused extends Error {
@@ -14,9 +15,18 @@ export class Refused extends Error {
   }
 }
 
-/** By the server's clock: orders that let the machine move and are held up on their way are refused there. */
+/**
+ * By the server's clock: orders that let the machine move and are held up on their way are refused there. States come late, by more or less:
+ * the one that came soonest shows the clock.
+ */
 function pressedAt() {
-  return clock && (clock.server + (performance.now() - clock.came) / 1000).toFixed(3);
+  return clocks.length > 0 && (Math.max(...clocks.map((each) => each.ahead)) + performance.now() / 1000).toFixed(3);
+}
+
+function setClock(server) {
+  const now = performance.now();
+  clocks = clocks.filter((each) => now - each.at < clocksFor);
+  clocks.push({ ahead: server - now / 1000, at: now });
 }
 
 async function send(method, path, body, { pressed, signal }) {
@@ -116,7 +126,10 @@ export class Link {
     socket.addEventListener("message", (event) => {
       if (!isUsed()) return;
       this.heard = Date.now();
-      if (isNew) this.opened += 1;
+      if (isNew) {
+        this.opened += 1;
+        clocks = []; // the server may be another one
+      }
       isNew = false;
       this.take(JSON.parse(event.data));
     });
@@ -124,7 +137,7 @@ export class Link {
   }
 
   take(state) {
-    if (state.clock_s !== undefined) clock = { server: state.clock_s, came: performance.now() };
+    if (state.clock_s !== undefined) setClock(state.clock_s);
     this.onState(state);
   }
 

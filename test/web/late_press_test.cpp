@@ -42,6 +42,10 @@ TEST(LatePress, LetsNothingMoveThatWasPressedLongAgo) {
   EXPECT_EQ(page.post("/api/v1/startup", R"({"command":"run"})", 5.5).status, 409);
   EXPECT_EQ(page.post("/api/v1/startup", R"({"command":"confirm","step":"plate"})", 5.5).status, 409);
   EXPECT_EQ(page.post("/api/v1/loop", R"({"request":"active"})", 5.5).status, 409);
+  // A queue that goes on by itself starts the next part.
+  EXPECT_EQ(page.post("/api/v1/jobs/3/release", "{}", 5.5).status, 409);
+  EXPECT_EQ(page.post("/api/v1/removal", "{}", 5.5).status, 409);
+  EXPECT_EQ(page.post("/api/v1/loop", R"({"request":"active"})", 5.5).status, 409);
   EXPECT_TRUE(page.site.desk.orders().empty());
   EXPECT_EQ(page.site.lastAudit(),
             "this host | POST /api/v1/loop: loop active | refused 409: loop active came 5.5 s after it was "

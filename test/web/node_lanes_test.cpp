@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 #include <stdexcept>
 
@@ -69,6 +70,40 @@ TEST(NodeLanes, StopsWhatIsOnItsWayToAnotherNode) {
   EXPECT_EQ(overtaken.outcome, DeskAnswer::Outcome::Overtaken);
   EXPECT_EQ(overtaken.message,
             "hanging was on its way when Stop was asked for, which was given after it once more");
+}
+
+TEST(NodeLanes, StopsOnceMoreThoughAnotherNodeHangsWithAnEarlierStop) {
+  std::atomic<int> aborts{0};
+  std::atomic<int> holds{0};
+  std::promise<void> is_begun;
+  std::promise<void> go;
+  HangingStreamer cell(OrderEffect::Stops);
+  LaneOrder unhold = orderTo("cell", "Unhold", OrderEffect::Moves);
+  unhold.call = [&] {
+    is_begun.set_value();
+    go.get_future().wait();
+    return DeskAnswer{};
+  };
+  std::future<DeskAnswer> moving = std::async(std::launch::async, [&] { return cell.lanes.give(unhold); });
+  is_begun.get_future().wait();
+  LaneOrder abort = orderTo("streamer", "Abort", OrderEffect::Stops);
+  abort.patience_s = 0.0;
+  abort.call = [&] {
+    ++aborts;
+    return DeskAnswer{};
+  };
+  EXPECT_EQ(cell.lanes.give(abort).outcome, DeskAnswer::Outcome::Silent);
+  LaneOrder hold = orderTo("cell", "Hold", OrderEffect::Stops);
+  hold.call = [&] {
+    ++holds;
+    return DeskAnswer{};
+  };
+  EXPECT_EQ(cell.lanes.give(hold).outcome, DeskAnswer::Outcome::Done);
+  go.set_value();
+  EXPECT_EQ(moving.get().outcome, DeskAnswer::Outcome::Overtaken);
+  EXPECT_EQ(cell.lanes.give(orderTo("cell", "Stop", OrderEffect::Stops)).outcome, DeskAnswer::Outcome::Done);
+  EXPECT_EQ(holds, 2) << "once more, before the Stop";
+  EXPECT_EQ(aborts, 0) << "it waits for the node that hangs";
 }
 
 TEST(NodeLanes, KnowsItsNodesFromTheBeginning) {

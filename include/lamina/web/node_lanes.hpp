@@ -19,16 +19,15 @@ class NodeLanes {
   explicit NodeLanes(const std::vector<std::string>& nodes);
 
   /// Gives an order, as `OrderLane::ask` does. A stop first drops the orders to all nodes that would move the
-  /// unit and were not begun yet (`OrderLane::dropMoves`).
+  /// unit and were not begun yet (`OrderLane::dropMoves`). Given once more, it goes by the lane of its own
+  /// node.
   /// @throws std::out_of_range if its node is none of those of the constructor
   DeskAnswer give(LaneOrder order);
 
  private:
-  struct Lanes {
-    OrderLane stops;
-    OrderLane orders;
-  };
-  std::map<std::string, Lanes> lanes_;  ///< by node; none is added later
+  // By node; none is added later. Other orders are over before the lanes into which they give stops.
+  std::map<std::string, OrderLane> stops_;
+  std::map<std::string, OrderLane> orders_;
 };
 
 }  // namespace lamina

@@ -56,6 +56,10 @@ class OrderLane {
   ///   was begun, or is waited for by another caller, but has no answer in time
   DeskAnswer ask(LaneOrder order);
 
+  /// Gives an order after those that wait, and does not wait for its answer. Without effect if one of its
+  /// kind waits already.
+  void post(LaneOrder order);
+
   /// Drops orders that would move the unit and were not begun yet. An order that was begun cannot be taken
   /// back: unless its answer shows that it was refused, `stop` is given once more after it, as is each stop
   /// of another kind for which this was called meanwhile.

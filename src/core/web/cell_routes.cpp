@@ -61,7 +61,6 @@ WebResponse changeJob(SiteCall& call, QueueChange change, const char* word) {
   return noted(orderAnswer(call, answer), std::string(word) + " job " + call.value(0));
 }
 
-WebResponse releaseJob(SiteCall& call) { return changeJob(call, QueueChange::Release, "release"); }
 WebResponse revokeJob(SiteCall& call) { return changeJob(call, QueueChange::Revoke, "revoke"); }
 
 /// To the place of the body, or to the front if it names none.
@@ -102,6 +101,13 @@ std::optional<WebResponse> refusedAsLate(const SiteCall& call, const std::string
                                         " s; nothing was done");
   refusal.note = what;
   return refusal;
+}
+
+/// A queue that goes on by itself starts what is released.
+WebResponse releaseJob(SiteCall& call) {
+  if (const auto late = refusedAsLate(call, "release job " + call.value(0), call.parts.settings.patience_s))
+    return *late;
+  return changeJob(call, QueueChange::Release, "release");
 }
 
 WebResponse runStartup(SiteCall& call) {
@@ -332,7 +338,9 @@ WebResponse acknowledgeAlarm(SiteCall& call) {
                "acknowledge alarm " + call.value(0));
 }
 
+/// A queue that goes on by itself starts the next part.
 WebResponse confirmRemoval(SiteCall& call) {
+  if (const auto late = refusedAsLate(call, "part taken away", call.parts.settings.patience_s)) return *late;
   return noted(orderAnswer(call, call.parts.desk.confirmRemoval(call.source())), "part taken away");
 }
 

@@ -7,15 +7,23 @@
 namespace lamina {
 
 NodeLanes::NodeLanes(const std::vector<std::string>& nodes) {
-  for (const std::string& node : nodes) lanes_.try_emplace(node);
+  for (const std::string& node : nodes) {
+    stops_.try_emplace(node);
+    orders_.try_emplace(node);
+  }
 }
 
 DeskAnswer NodeLanes::give(LaneOrder order) {
-  Lanes& lanes = lanes_.at(order.node);
-  if (order.effect != OrderEffect::Stops) return lanes.orders.ask(std::move(order));
+  OrderLane& own = stops_.at(order.node);
+  if (order.effect != OrderEffect::Stops) return orders_.at(order.node).ask(std::move(order));
+  LaneOrder again = order;
+  again.call = [&own, order] {
+    own.post(order);
+    return DeskAnswer{};
+  };
   // What was asked for before must not move the unit after it was stopped, whichever node moves it.
-  for (auto& [node, other] : lanes_) other.orders.dropMoves(order);
-  return lanes.stops.ask(std::move(order));
+  for (auto& [node, orders] : orders_) orders.dropMoves(again);
+  return own.ask(std::move(order));
 }
 
 }  // namespace lamina

@@ -98,6 +98,14 @@ DeskAnswer OrderLane::ask(LaneOrder order) {
   return notGiven(DeskAnswer::Outcome::Silent, node + " has not answered; nothing was asked of it");
 }
 
+void OrderLane::post(LaneOrder order) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (ofKind(order.kind)) return;
+  waiting_.push_back(std::make_shared<Waiting>());
+  waiting_.back()->order = std::move(order);
+  changed_.notify_all();
+}
+
 void OrderLane::dropMoves(const LaneOrder& stop) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (under_way_ && under_way_->order.effect == OrderEffect::Moves) {

@@ -121,12 +121,22 @@ TEST(StreamableProgram, RefusesNumbersWithAnExponent) {
     EXPECT_NE(refusalOf(text).find("has a number with an exponent; expected a plain decimal"),
               std::string::npos)
         << text;
-  EXPECT_EQ(program("G1X1E-3\nG1 X5Y3E-2\nG1 X5E-.2\nG1 X5E2\nG1 F1800 E-2\nG1 X5E-2F900\n").lines(), 6U)
+  EXPECT_EQ(
+      program("G1X1E-3\nG1 X5Y3E-2\nG1 X5E-.2\nG1 X5E2\nG1 F1800 E-2\nG1 X5E-2F900\nG1 F1800E-2\n").lines(),
+      7U)
       << "words without blanks";
 }
 
 TEST(StreamableProgram, TakesTextBehindASlashOrAHash) {
-  EXPECT_EQ(program("G28 // home x and y\nG4 P500 # wait a bit\nG1 X5 // then G1 y6\n").lines(), 3U);
+  EXPECT_EQ(program("G28 // home x and y\nG4 P500 # wait a bit\nG1 X5 // then the other\n").lines(), 3U);
+}
+
+// Marlin ends a line at semicolons alone.
+TEST(StreamableProgram, RefusesWordsBehindASlashOrAHash) {
+  for (const char* text :
+       {"G0 X100 // G1 Z0\n", "M104 S0 # G4 S60\n", "G28 // home X\n", "G1 X5 # then Y6\n"})
+    EXPECT_NE(refusalOf(text).find(", which Marlin runs; expected comments behind ';'"), std::string::npos)
+        << text;
 }
 
 TEST(StreamableProgram, TakesSmallLettersOfTextsAndTheCommandBehindG53) {

@@ -52,6 +52,7 @@ bool isExponentAt(std::string_view command, std::size_t word, std::size_t at) {
   if (!isDigit(command[at - 1]) && command[at - 1] != '.') return false;
   if (command[at] == 'e') return isNumberAt(command, at + 1);
   if (command[at] != 'E' || word == 0 || !isBlank(command[word - 1])) return false;
+  if (command[word] == 'F') return false;  // a retraction behind its feed
   if (at + 1 == command.size() || (command[at + 1] != '-' && command[at + 1] != '+')) return false;
   const std::string_view power = command.substr(at + 2);
   const std::size_t digits = std::min(power.find_first_not_of("0123456789"), power.size());
@@ -73,19 +74,32 @@ bool isSmallWordAt(std::string_view command, std::size_t at) {
   return (is_of_axes || end == at + 1) && (is_alone || isNumberAt(command, end));
 }
 
+/// Whether a capital stands alone or before a number, as a word does.
+bool isWordAt(std::string_view command, std::size_t at) {
+  if (command[at] < 'A' || command[at] > 'Z') return false;
+  return at + 1 == command.size() || isBlank(command[at + 1]) || isNumberAt(command, at + 1);
+}
+
 /// Marlin passes over what it looks for in no line, in silence: `G1 x5 Y2` moves Y alone, of `G21 G90` it
 /// runs the first, and `G1 X1E-3` moves X by 1. It answers a line that begins with a small letter with
-/// "Unknown command".
+/// "Unknown command". Comments begin at semicolons alone: of `G0 X100 // G1 Z0` it runs the Z.
 std::string defectOfWords(std::string_view command) {
   constexpr std::string_view kCodes = "gmt";
   if (kCodes.find(command[0]) != std::string_view::npos && isNumberAt(command, 1))
     return "begins with a small letter, which Marlin does not know; expected capitals";
   if (!hasWordsOnly(command)) return {};
   const bool may_precede = isCommand(command, "G53");  // the command that it is for
-  const std::size_t end = std::min(command.find_first_of("\"/#"), command.size());  // where a text begins
+  const std::size_t remark = std::min(command.find_first_of("/#"), command.size());
+  const std::size_t end = std::min(command.find('"'), command.size());  // where a text begins
   std::size_t word = 0;
   for (std::size_t at = 1; at < end; ++at) {
     if (!isLetter(command[at]) || isLetter(command[at - 1])) continue;
+    if (at > remark) {
+      if (isWordAt(command, at))
+        return "has a word at '" + std::string(1, command[at]) + "' behind '" +
+               std::string(1, command[remark]) + "', which Marlin runs; expected comments behind ';'";
+      continue;
+    }
     if (isExponentAt(command, word, at)) return "has a number with an exponent; expected a plain decimal";
     word = at;
     if (isSmallWordAt(command, at))
