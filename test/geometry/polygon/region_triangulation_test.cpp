@@ -47,6 +47,29 @@ TEST(RegionTriangulation, FillsStarsWithHoles) {
   }));
 }
 
+TEST(RegionTriangulation, TakesPointsThatAreGivenTwiceAndSpikes) {
+  const Polygon plain = test::rectangle(0, 0, 10, 4);
+  Polygon doubled = plain;
+  doubled.insert(doubled.begin() + 2, plain[1]);
+  doubled.push_back(plain[0]);
+  Polygon spiked = plain;
+  spiked.insert(spiked.begin() + 2, {{12, 5}, {13, 6}, {12, 5}, plain[1]});
+  spiked.push_back({-3, -3});  // from the last point to the first one, and out and back from there
+  spiked.insert(spiked.begin() + static_cast<std::ptrdiff_t>(spiked.size()) - 1, plain[0]);
+  for (const Polygon& outline : {doubled, spiked}) {
+    const RegionTriangulation region = triangulated({outline}, 1.0);
+    double sum = 0.0;
+    for (const Triangle& corner : region.triangles) sum += areaOf(region, corner);
+    EXPECT_NEAR(sum, 40.0, 1e-9);
+    for (std::size_t i = 0; i < region.border.size(); ++i) {
+      const OutlinePlace& place = region.border[i];
+      const Point2 expected = (1.0 - place.fraction) * outline[place.segment] +
+                              place.fraction * outline[(place.segment + 1) % outline.size()];
+      EXPECT_LE((region.points[i] - expected).norm(), 1e-12);
+    }
+  }
+}
+
 TEST(RegionTriangulation, PointsOfTheBorderKnowWhereTheyAre) {
   const std::vector<Polygon> outlines = {test::rectangle(0, 0, 10, 4),
                                          test::reversed(test::circle({5, 2}, 1, 40))};

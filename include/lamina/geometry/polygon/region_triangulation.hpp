@@ -28,7 +28,8 @@ struct RegionTriangulation {
 /// edges of triangles; they are divided further where they come close to each other or turn sharply. Time is
 /// n log n.
 ///
-/// @param outlines  simple, not touching each other; material on their left
+/// @param outlines  simple, not touching each other; material on their left. A point may be given several
+///   times in a row, and a line may be gone out and back, as where a section goes through vertices of a mesh.
 /// @throws InvalidInput if an outline has fewer than three points, or a piece of it is still no edge after
 ///   ten divisions, as where it crosses itself
 RegionTriangulation triangulated(const std::vector<Polygon>& outlines, double step_mm);

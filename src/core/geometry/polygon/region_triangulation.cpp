@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -42,6 +43,7 @@ std::vector<Triangle> delaunayTriangles(const std::vector<Point2>& points) {
 }
 
 constexpr int kMostDivisions = 10;
+constexpr double kSamePoint = 1e-6;  // mm: a billionth of a metre
 constexpr double kClearance =
     0.75;  // of a step between points inside and the border: they hide none of its edges
 
@@ -61,17 +63,46 @@ std::uint64_t keyOf(std::uint32_t from, std::uint32_t to) {
   return (static_cast<std::uint64_t>(from) << 32U) | to;
 }
 
+/// The points of an outline without those that are given several times in a row, and without spikes, which go
+/// out and back along a line. Of points at one place the last is left: it begins the next edge.
+std::vector<std::uint32_t> cornersOf(const Polygon& outline) {
+  std::deque<std::uint32_t> corners;
+  // Of the corner that is `from` places before the end.
+  const auto at = [&](std::size_t from) { return outline[corners[corners.size() - from]]; };
+  const auto isSame = [](const Point2& a, const Point2& b) { return (b - a).norm() <= kSamePoint; };
+  const auto fold = [&] {
+    for (std::size_t before = 1; before <= 2 && before < corners.size(); ++before)
+      if (isSame(at(before + 1), at(1))) {
+        corners.erase(corners.end() - static_cast<std::ptrdiff_t>(before + 1), corners.end() - 1);
+        return true;
+      }
+    return false;
+  };
+  const auto add = [&](std::uint32_t corner) {
+    corners.push_back(corner);
+    while (fold()) continue;
+  };
+  for (std::uint32_t i = 0; i < outline.size(); ++i) add(i);
+  // Twice around, so that what the outline begins with follows on what it ends with.
+  for (std::size_t left = corners.size(); left > 0 && corners.size() >= 3; --left) {
+    add(corners.front());
+    corners.pop_front();
+  }
+  return {corners.begin(), corners.end()};
+}
+
 Border borderOf(const std::vector<Polygon>& outlines) {
   Border border;
   for (std::size_t o = 0; o < outlines.size(); ++o) {
-    const auto count = static_cast<std::uint32_t>(outlines[o].size());
+    const std::vector<std::uint32_t> corners = cornersOf(outlines[o]);
+    const auto count = static_cast<std::uint32_t>(corners.size());
     if (count < 3)
       throw InvalidInput("outline " + std::to_string(o) + " has " + std::to_string(count) +
                          " points; expected three or more");
     const auto first = static_cast<std::uint32_t>(border.points.size());
     for (std::uint32_t i = 0; i < count; ++i) {
-      border.points.push_back(outlines[o][i]);
-      border.places.push_back({o, i, 0.0});
+      border.points.push_back(outlines[o][corners[i]]);
+      border.places.push_back({o, corners[i], 0.0});
       border.edges.push_back({first + i, first + (i + 1) % count});
     }
   }
