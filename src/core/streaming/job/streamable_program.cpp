@@ -123,10 +123,14 @@ class DefinedParts {
   bool has_begun_ = false;  ///< a part: what is defined from here on is none of the plate's
 };
 
+/// Looks at the first bytes and leaves them to be read: a pipe gives them once.
 void requireText(std::istream& text, const std::string& name) {
+  text.peek();
   std::array<char, 4> start{};
-  text.read(start.data(), start.size());
-  requireTextOfGcode({start.data(), static_cast<std::size_t>(text.gcount())}, name);
+  const auto count = std::clamp<std::streamsize>(text.rdbuf()->in_avail(), 0, start.size());
+  text.read(start.data(), count);
+  for (std::streamsize i = 0; i < count; ++i) text.unget();
+  requireTextOfGcode({start.data(), static_cast<std::size_t>(count)}, name);
 }
 
 [[noreturn]] void throwUnreadable(const std::string& path, const char* why) {
@@ -207,11 +211,12 @@ std::optional<StreamableProgram::FileState> StreamableProgram::stateOf(const std
 bool StreamableProgram::hasChanged() const { return !text_ && !(stateOf(path_) == checked_); }
 
 void StreamableProgram::check(const StreamSettings& settings) {
-  requireText(*openText(), name_);
   std::vector<Checker> checkers = checkersOf(settings.firmware);
   std::string last_defect;
   DefinedParts parts;
-  ProgramCursor cursor = open();
+  std::unique_ptr<std::istream> text = openText();
+  requireText(*text, name_);
+  ProgramCursor cursor(std::move(text));
   while (const auto line = cursor.next()) {
     // A line that is plain G-code may be shown itself.
     if (!quotation_.isRecognised() && isPlainCommand(line->command)) quotation_.recognise();
