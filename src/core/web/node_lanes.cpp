@@ -15,7 +15,8 @@ NodeLanes::NodeLanes(const std::vector<std::string>& nodes) {
 
 DeskAnswer NodeLanes::give(LaneOrder order) {
   OrderLane& own = stops_.at(order.node);
-  if (order.effect != OrderEffect::Stops) return orders_.at(order.node).ask(std::move(order));
+  OrderLane& others = orders_.at(order.node);
+  if (order.effect != OrderEffect::Stops) return others.ask(std::move(order));
   LaneOrder again = order;
   again.call = [&own, order] {
     own.post(order);

@@ -63,7 +63,7 @@ class FaultySensor {
 
   static Cloud many(const Cloud& cloud) {
     Cloud dense = cloud;
-    while (dense.data.size() < 20000U * dense.point_step && !cloud.data.empty())
+    while (dense.data.size() < std::size_t{20000} * dense.point_step && !cloud.data.empty())
       dense.data.insert(dense.data.end(), cloud.data.begin(), cloud.data.end());
     dense.width = static_cast<std::uint32_t>(dense.data.size() / dense.point_step);
     dense.row_step = static_cast<std::uint32_t>(dense.data.size());

@@ -188,7 +188,7 @@ class TableLeading {
 
   std::vector<double> turnsFor(const std::vector<double>& tilts) const {
     const std::vector<Room> rooms = roomsFor(tilts);
-    const std::vector<double> on_and_on = turnsOnAndOn(rooms);
+    std::vector<double> on_and_on = turnsOnAndOn(rooms);
     if (fitsLimits(on_and_on, TurnBack::LiftedTravel)) return on_and_on;
     std::vector<double> turns = turnsByStretches(rooms, TurnBack::LiftedTravel);
     if (fitsLimits(turns, TurnBack::LiftedTravel)) return turns;

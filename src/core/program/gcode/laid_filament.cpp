@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr std::streamoff kNearEnds = 64 * 1024;  // bytes: slicers write their settings at either end
+constexpr std::streamoff kNearEnds = 65536;  // bytes: slicers write their settings at either end
 
 /// In the comments of lines that begin within so many bytes from here.
 std::optional<double> diameterWithin(std::istream& text, std::streamoff bytes) {
