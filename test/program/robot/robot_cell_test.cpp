@@ -274,26 +274,31 @@ TEST_F(RobotGantry, AxesThatItDoesNotHaveAreRefusedByName) {
   EXPECT_NE(refusal(kSwapped, nullptr).find("without an arm"), std::string::npos);
 }
 
-/// The frame was measured with the joint at zero, whatever the controller counts there.
-TEST(RobotCell, TablesAreHeldWhereTheirJointIsAtZero) {
+/// Why no program is written over a table that is held turned; empty if one is.
+std::string refusalOverTable(double held_deg, const RobotProgramRequest& order) {
   NoProgress nobody;
   const auto arm = kinematicModelByName("irb_4600_turntable");
   const Toolpath toolpath = test::twoLayers();
   const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  JointPathSettings planning;
+  planning.external_deg = held_deg;
+  const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
+  const RobotMotion robot{*arm, joints};
+  try {
+    robotProgram(toolpath, place, order, &robot);
+    return "";
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+}
+
+/// The frame was measured with the joint at zero, whatever the controller counts there.
+TEST(RobotCell, TablesAreHeldWhereTheirJointIsAtZero) {
   RobotProgramSettings settings;
   settings.fanuc.is_coordinated = false;
   settings.external_axes = "external_1=-e1+90";
-  const auto refusal = [&](double held_deg) -> std::string {
-    JointPathSettings planning;
-    planning.external_deg = held_deg;
-    const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
-    const RobotMotion robot{*arm, joints};
-    try {
-      robotProgram(toolpath, place, {RobotLanguage::Fanuc, "part", settings}, &robot);
-      return "";
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
+  const auto refusal = [&](double held_deg) {
+    return refusalOverTable(held_deg, {RobotLanguage::Fanuc, "part", settings});
   };
   EXPECT_EQ(refusal(0.0), "");
   EXPECT_NE(refusal(90.0).find("axis external_1 turns the bed to 0 deg; expected true, or 90 deg"),
@@ -341,24 +346,11 @@ TEST(RobotCell, JobsOverATableMoveItsStation) {
 /// `MOVJ` takes a pose over the frame where the joint of the table is at zero: 30 deg about it beside the
 /// part.
 TEST(RobotCell, JobsGoToNoPoseOverATurnedTableByAMoveOfTheJoints) {
-  NoProgress nobody;
-  const auto arm = kinematicModelByName("irb_4600_turntable");
-  const Toolpath toolpath = test::twoLayers();
-  const Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
   RobotProgramSettings settings;
   settings.external_axes = "external_1=-e1+90";
   settings.inform.external_pulses = {1000.0};
-  const auto refusal = [&](double held_deg) -> std::string {
-    JointPathSettings planning;
-    planning.external_deg = held_deg;
-    const JointPath joints = planJointPath(toolpath, place, *arm, planning, nobody);
-    const RobotMotion robot{*arm, joints};
-    try {
-      robotProgram(toolpath, place, {RobotLanguage::Inform, "part", settings}, &robot);
-      return "";
-    } catch (const InvalidInput& error) {
-      return error.what();
-    }
+  const auto refusal = [&](double held_deg) {
+    return refusalOverTable(held_deg, {RobotLanguage::Inform, "part", settings});
   };
   EXPECT_EQ(refusal(0.0), "");
   EXPECT_EQ(

@@ -345,23 +345,39 @@ CorrectionMap evenMap(const Toolpath& part, double amount, std::uint64_t sequenc
                        sequence);
 }
 
+/// A cell whose driver hears of correction maps, and says by which it has laid.
+class CorrectedCell : public DriveCell {
+ public:
+  CorrectedCell() : DriveCell("/trimmed", "five_axis_head_table"), node_("/trimmed") {
+    const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
+        [this](const auto& message) { applied.push_back(*message); };
+    correction = node_.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, 10, true);
+    uses_ = node_.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
+  }
+  /// Drives a part by a map; returns once it deposits.
+  bool drivesBy(const lamina_msgs::CorrectionMap& map, const Toolpath& part) {
+    const auto isHeard = [&] { return correction.getNumSubscribers() > 0 && uses_.getNumPublishers() > 0; };
+    if (!waitUntil(isHeard)) return false;
+    publishLatched(correction, map);
+    drive(part);
+    return waitUntil([&] { return isDepositing() || isDone(); });
+  }
+
+  ros::Publisher correction;
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+
+ private:
+  ros::NodeHandle node_;
+  ros::Subscriber uses_;
+};
+
 /// A map that comes while the first bead is deposited holds for what is not handed over by then: the last
 /// one.
 TEST(TrajectoryDriver, TrimsALayerThatIsUnderWay) {
   const Toolpath part = eightBeads();
-  ros::NodeHandle node("/trimmed");
-  auto correction = node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, 10, true);
-  std::vector<lamina_msgs::AppliedCorrection> applied;
-  const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
-      [&](const auto& message) { applied.push_back(*message); };
-  const auto uses =
-      node.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
-  DriveCell cell("/trimmed", "five_axis_head_table");
-  ASSERT_TRUE(waitUntil([&] { return correction.getNumSubscribers() > 0 && uses.getNumPublishers() > 0; }));
-  publishLatched(correction, toMessage(evenMap(part, 0.2, 1)));
-  cell.drive(part);
-  ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
-  publishLatched(correction, toMessage(evenMap(part, -0.1, 2)));
+  CorrectedCell cell;
+  ASSERT_TRUE(cell.drivesBy(toMessage(evenMap(part, 0.2, 1)), part));
+  publishLatched(cell.correction, toMessage(evenMap(part, -0.1, 2)));
   ASSERT_TRUE(cell.ends());
   ASSERT_EQ(cell.result().status.code, Status::OK + 0) << cell.result().status.message;
   const double planned = 1e-9 * 30.0 * crossSection(Bead{1.0, kHeight});  // m^3/s
@@ -383,8 +399,8 @@ TEST(TrajectoryDriver, TrimsALayerThatIsUnderWay) {
   }
   EXPECT_GT(first, 5U);
   EXPECT_GT(last, 5U);
-  ASSERT_EQ(applied.size(), 1U) << "of the map that the layer begins with";
-  EXPECT_EQ(applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
+  ASSERT_EQ(cell.applied.size(), 1U) << "of the map that the layer begins with";
+  EXPECT_EQ(cell.applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
 }
 
 /// The map of the second layer does not come: it is laid by its coasting map.
@@ -394,20 +410,10 @@ TEST(TrajectoryDriver, DrivesALayerWithoutAMapByItsCoastingMap) {
   const Point3 above(-kHalf, 35, 2.0 * kHeight);
   part.layers[0].paths.push_back(straight(PathRole::Travel, end, above));
   part.layers.push_back({above.z(), kHeight, {straight(PathRole::OuterWall, above, {kHalf, 35, above.z()})}});
-  ros::NodeHandle node("/trimmed");
-  auto correction = node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, 10, true);
-  std::vector<lamina_msgs::AppliedCorrection> applied;
-  const boost::function<void(const lamina_msgs::AppliedCorrectionConstPtr&)> on_applied =
-      [&](const auto& message) { applied.push_back(*message); };
-  const auto uses =
-      node.subscribe<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100, on_applied);
-  DriveCell cell("/trimmed", "five_axis_head_table");
-  ASSERT_TRUE(waitUntil([&] { return correction.getNumSubscribers() > 0 && uses.getNumPublishers() > 0; }));
-  publishLatched(correction, toMessage(evenMap(part, 0.2, 1)));
-  cell.drive(part);
-  ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
+  CorrectedCell cell;
+  ASSERT_TRUE(cell.drivesBy(toMessage(evenMap(part, 0.2, 1)), part));
   const lamina_msgs::CorrectionMap coasting = toMessage(evenMap(part, -0.2, 0, 1));
-  publishLatched(correction, coasting);
+  publishLatched(cell.correction, coasting);
   ASSERT_TRUE(cell.ends());
   ASSERT_EQ(cell.result().status.code, Status::OK + 0) << cell.result().status.message;
   const double planned = 1e-9 * 30.0 * crossSection(Bead{1.0, kHeight});  // m^3/s
@@ -423,12 +429,12 @@ TEST(TrajectoryDriver, DrivesALayerWithoutAMapByItsCoastingMap) {
   }
   EXPECT_GT(reports[0], 10U);
   EXPECT_GT(reports[1], 5U);
-  ASSERT_TRUE(waitUntil([&] { return applied.size() == 2; })) << applied.size();
-  EXPECT_EQ(applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
-  EXPECT_EQ(applied[1].layer, 1U);
-  EXPECT_EQ(applied[1].digest, coasting.digest);
-  EXPECT_GE(applied[1].waited, 2.0) << "loop.wait_s";
-  EXPECT_EQ(applied[1].reason, "");
+  ASSERT_TRUE(waitUntil([&] { return cell.applied.size() == 2; })) << cell.applied.size();
+  EXPECT_EQ(cell.applied[0].digest, toMessage(evenMap(part, 0.2, 1)).digest);
+  EXPECT_EQ(cell.applied[1].layer, 1U);
+  EXPECT_EQ(cell.applied[1].digest, coasting.digest);
+  EXPECT_GE(cell.applied[1].waited, 2.0) << "loop.wait_s";
+  EXPECT_EQ(cell.applied[1].reason, "");
 }
 
 TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {

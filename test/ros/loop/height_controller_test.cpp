@@ -565,19 +565,6 @@ TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
   EXPECT_EQ(controller.maps[maps].toolpath_id, live.printed.part.toolpath_id) << "no plan is begun twice";
 }
 
-TEST(HeightController, NumbersTheLayersOfAPlanThatItBeginsWith) {
-  const SensedWallCase wall = shortWall(3);
-  SensedWall sensed = sensedWall(wall);
-  sensed.part.toolpath_id = "plan-from-5-of-parent";
-  const test::ScratchFolder folder;
-  test::writeBag(folder.file("wall.bag"), sensed);
-  const Controller controller;
-  const test::ShownCells shown{ros::NodeHandle()};
-  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
-  ASSERT_TRUE(waitUntil([&] { return shown.areAll(wall.layers); }));
-  EXPECT_EQ(shown.layers(), (std::set<std::int32_t>{5, 6, 7}));
-}
-
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
   const test::ScratchFolder folder;
   const SensedWallCase wall = shortWall(3);

@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "lamina/control/program/correction_files.hpp"
-#include "lamina/kinematics/model/build_space.hpp"
-#include "lamina/planning/scan_pass.hpp"
+#include "ros/loop/scanned_wall.hpp"
 #include "ros/loop/streamed_cell.hpp"
 #include "ros/node_process.hpp"
 #include "ros/ros_home.hpp"
@@ -23,43 +22,11 @@
 namespace lamina {
 namespace {
 
+using test::kLayer;
 using test::waitUntil;
 
-constexpr double kLayer = 1.5;    // mm
-constexpr double kLength = 24.0;  // mm: in one swath of the sensor
-constexpr double kSpeed = 20.0;   // mm/s
 constexpr std::size_t kLayers = 14;
 constexpr std::size_t kKilledIn = 5;  // layer
-
-MachineToolpath scannedWall() {
-  Toolpath wall;
-  wall.part_name = "wall";
-  for (std::size_t k = 0; k < kLayers; ++k) {
-    const double z = kLayer * static_cast<double>(k + 1);
-    Path bead;
-    bead.role = PathRole::OuterWall;
-    bead.bead = Bead{3.0, kLayer};
-    bead.feed_mm_s = kSpeed;
-    bead.points = {{0, 0, z}, {kLength, 0, z}};
-    Path travel;
-    travel.role = PathRole::Travel;
-    travel.feed_mm_s = 100.0;
-    if (k > 0) travel.points = {wall.layers.back().paths.back().lastPoint(), bead.points.front()};
-    wall.layers.push_back({z, kLayer, {}});
-    if (k > 0) wall.layers.back().paths.push_back(travel);
-    wall.layers.back().paths.push_back(bead);
-  }
-  const BuildSpace space = buildSpaceByName("cartesian_gantry");
-  ScanSettings scan;
-  scan.every_layers = 1;
-  scan.feed_mm_s = 40.0;
-  MachineToolpath placed;
-  placed.machine = space.name;
-  placed.toolpath = withScanPasses(wall, scan, {sensorOffset(space), Point2::Zero()});
-  placed.bed_from_part = Eigen::Translation3d(90.0, 110.0, 0.0);
-  placed.id = toolpathId(placed.toolpath);
-  return placed;
-}
 
 /// Where the loop's maps are published: the test hands them on.
 constexpr char kLoopCorrection[] = "loop_correction";
@@ -195,7 +162,7 @@ TEST(KilledLoop, IsCoastedForAndComesBack) {
   const test::ScratchFolder folder;
   KilledCell cell(folder.file("memory.yaml"));
   cell.startLoop();
-  cell.print(scannedWall());
+  cell.print(test::scannedWall(kLayers));
   ASSERT_TRUE(waitUntil([&] { return cell.isLoopDoneBelow(); }));
   cell.freezeLoop();
   // A stopped process is killed in any case: it would not end otherwise.

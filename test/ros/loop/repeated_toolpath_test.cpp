@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A toolpath that is delivered once more amid its print, as ROS does where a connection was made again.
+// Toolpaths that are delivered once more amid their print, as ROS does where a connection was made again, and
+// plans with which a loop begins.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <set>
 
+#include "ros/bag_player.hpp"
 #include "ros/loop/controlled_wall.hpp"
+#include "ros/loop/shown_cells.hpp"
+#include "ros/loop/wall_messages.hpp"
 #include "ros/wait_until.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -40,6 +46,22 @@ TEST(HeightController, GoesOnWhenItsToolpathIsDeliveredAgain) {
   next.header.stamp += ros::Duration(60.0);
   live.announce(next);
   EXPECT_TRUE(test::waitUntil([&] { return firstLayers(controller) == 2; })) << "a new stamp is a new print";
+}
+
+TEST(HeightController, NumbersTheLayersOfAPlanThatItBeginsWith) {
+  test::SensedWallCase wall;
+  wall.settings = test::calibratedLoop();
+  wall.length_mm = 20.0;
+  wall.layers = 3;
+  test::SensedWall sensed = test::sensedWall(wall);
+  sensed.part.toolpath_id = "plan-from-5-of-parent";
+  const test::ScratchFolder folder;
+  test::writeBag(folder.file("wall.bag"), sensed);
+  const test::Controller controller;
+  const test::ShownCells shown{ros::NodeHandle()};
+  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=10"});
+  ASSERT_TRUE(test::waitUntil([&] { return shown.areAll(wall.layers); }));
+  EXPECT_EQ(shown.layers(), (std::set<std::int32_t>{5, 6, 7}));
 }
 
 }  // namespace
